@@ -1,0 +1,90 @@
+// The light kinds and LightSet, their structure-of-arrays container.
+//
+// Every local light is a sphere of uniform radiance L: what is called a point light is one whose radius is small and
+// whose radiance is I/(pi radius^2), so that it gives I/d^2 outside and stays bounded inside; a spot light is a point
+// light times a cone that is evaluated where the receiver stands.
+#pragma once
+
+#include <rigel/vec3.h>
+
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace rigel {
+
+inline constexpr float kDefaultPointRadius = 0.01f;  // m
+inline constexpr float kMinPointRadius = 1e-6f;      // m; smaller radii (0 included) are raised to it
+inline constexpr float kNoRange = std::numeric_limits<float>::infinity();
+
+/// A distant light; `direction` is the way the light travels (need not be unit), `irradiance` at normal incidence.
+struct DirectionalLight {
+  Vec3 direction{0, -1, 0};
+  Rgb irradiance;
+};
+
+/// Intensity I [W/sr]: irradiance I/d^2 at distance d >= radius. `range` R applies the window clamp(1-(d/R)^4, 0, 1)^2,
+/// glTF's own window squared, which has no kink at R.
+struct PointLight {
+  Vec3 position;
+  Rgb intensity;
+  float radius = kDefaultPointRadius;
+  float range = kNoRange;
+};
+
+/// A point light within a cone along `direction` (need not be unit): full inside `innerAngle`, none outside `outerAngle`
+/// (radians from the axis, 0 <= inner <= outer <= pi), smoothstep of the cosine between.
+struct SpotLight {
+  Vec3 position;
+  Vec3 direction{0, -1, 0};
+  Rgb intensity;
+  float innerAngle = 0;
+  float outerAngle = 0.785398163f;
+  float radius = kDefaultPointRadius;
+  float range = kNoRange;
+};
+
+/// A sphere of uniform radiance [W/(m2 sr)].
+struct SphereLight {
+  Vec3 position;
+  float radius = 0;
+  Rgb radiance;
+};
+
+/// All lights of a frame, structure of arrays per kind. Filling it allocates only while it grows; `clear` keeps capacity.
+/// `index` arguments run within a kind. Not thread safe for writers; any number of readers.
+class LightSet {
+ public:
+  void clear() noexcept;
+  void reserve(int perKind);
+
+  void add(const DirectionalLight& light);
+  void add(const PointLight& light);
+  void add(const SpotLight& light);
+  void add(const SphereLight& light);
+
+  int directionalCount() const noexcept { return static_cast<int>(directional_.r.size()); }
+  int pointCount() const noexcept { return static_cast<int>(point_.r.size()); }
+  int spotCount() const noexcept { return static_cast<int>(spot_.r.size()); }
+  int sphereCount() const noexcept { return static_cast<int>(sphere_.r.size()); }
+  int size() const noexcept { return directionalCount() + pointCount() + spotCount() + sphereCount(); }
+
+  DirectionalLight directional(int index) const noexcept;
+  PointLight point(int index) const noexcept;
+  SpotLight spot(int index) const noexcept;
+  SphereLight sphere(int index) const noexcept;
+
+ private:
+  using Floats = std::vector<float>;
+  struct Directional {
+    Floats dx, dy, dz, r, g, b;
+  } directional_;
+  struct Local {  // point, and the point part of spot; colour is intensity, or radiance for spheres
+    Floats x, y, z, radius, range, r, g, b;
+  } point_, spot_, sphere_;
+  struct Cone {
+    Floats dx, dy, dz, inner, outer;
+  } cone_;
+};
+
+}  // namespace rigel

@@ -1,0 +1,47 @@
+// Projection of lights into radiance SH at a receiver point, with analytic spatial gradient: the float runtime path.
+//
+// q_lm = 2 pi L g_l Y_lm(w), s2 = (r/d)^2, c = sqrt(1-s2), g_l = s2 P_l'(c)/(l(l+1)), in a form that neither cancels for
+// small r/d nor near contact. Inside a sphere (d < r) the continuous extension: hemisphere at d = r, full sphere at
+// d = 0. Total functions: finite input of any scale gives finite output; a light with a NaN anywhere contributes 0.
+#pragma once
+
+#include <rigel/light.h>
+#include <rigel/sh.h>
+
+namespace rigel {
+
+/// SH of one light at `p` (world, metres). No pi, no f_l. B in 2..5. About 50 flops + 6 B^2; no allocation.
+template <int B>
+RadianceSH<B> project(const DirectionalLight& light, Vec3 p) noexcept;
+template <int B>
+RadianceSH<B> project(const PointLight& light, Vec3 p) noexcept;
+template <int B>
+RadianceSH<B> project(const SpotLight& light, Vec3 p) noexcept;
+template <int B>
+RadianceSH<B> project(const SphereLight& light, Vec3 p) noexcept;
+
+/// SH and its derivative by p. Range window and spot cone enter by the product rule. The true derivative is unbounded at
+/// a sphere's surface (1/c): c is held >= kMinGradientCosine there.
+inline constexpr float kMinGradientCosine = 0.1f;
+
+template <int B>
+struct ProjectionWithGradient {
+  RadianceSH<B> value;
+  RadianceShGradient<B> gradient;
+};
+template <int B>
+ProjectionWithGradient<B> projectWithGradient(const DirectionalLight& light, Vec3 p) noexcept;
+template <int B>
+ProjectionWithGradient<B> projectWithGradient(const PointLight& light, Vec3 p) noexcept;
+template <int B>
+ProjectionWithGradient<B> projectWithGradient(const SpotLight& light, Vec3 p) noexcept;
+template <int B>
+ProjectionWithGradient<B> projectWithGradient(const SphereLight& light, Vec3 p) noexcept;
+
+/// Sum over all lights of the set.
+template <int B>
+RadianceSH<B> project(const LightSet& lights, Vec3 p) noexcept;
+template <int B>
+ProjectionWithGradient<B> projectWithGradient(const LightSet& lights, Vec3 p) noexcept;
+
+}  // namespace rigel

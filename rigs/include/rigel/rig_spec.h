@@ -1,0 +1,57 @@
+// The text form of a rig model: "constant", "gradient@numeric", "lattice:3x2x2", "mixed:l3,g,c", "poly:6", ...
+#pragma once
+
+#include <rigel/result.h>
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rigel {
+
+/// What a tensor rig does along one axis of the box.
+struct AxisModel {
+  enum class Kind { constant, gradient, lattice };
+  Kind kind = Kind::constant;
+  int nodes = 1;  // of a lattice axis, >= 2
+
+  friend bool operator==(const AxisModel&, const AxisModel&) = default;
+};
+
+/// Interpolation between lattice nodes, b(p) of the paper, by name.
+enum class LatticeKernel { linear, smooth, cubic };
+
+/// How the parameters are computed from samples.
+enum class FitMethod {
+  corners,  // as the paper: lattice nodes spread over the box, corners included; analytic derivatives at its centre
+  numeric,  // derivatives as secants between interior points (gradient axes only)
+  lsq,      // least squares over sample points on the object's surface
+};
+
+struct RigSpec {
+  enum class Family { tensor, poly };
+  Family family = Family::tensor;
+  std::array<AxisModel, 3> axes;  // tensor: by decreasing extent of the rest box, or x, y, z if `pinnedAxes`
+  bool pinnedAxes = false;
+  LatticeKernel kernel = LatticeKernel::linear;
+  FitMethod fit = FitMethod::corners;
+  int polyTerms = 0;  // poly: K
+
+  std::string text;  // as the user wrote it, without blanks
+
+  /// SH vectors stored: product of lattice nodes times (1 + gradient axes), or K.
+  int shVectors() const noexcept;
+};
+
+inline constexpr int kMaxShVectors = 512;  // per rig
+inline constexpr int kMaxPolyTerms = 56;   // all monomials up to degree 5
+inline constexpr int kMaxLsqVectors = 64;  // least squares solves a dense K x K system each frame
+
+/// One spec. The Error names the spec, the part at fault and what is allowed there.
+Result<RigSpec> parseRigSpec(std::string_view text);
+
+/// Specs separated by ';'. Empty list and duplicates are errors.
+Result<std::vector<RigSpec>> parseRigSpecs(std::string_view text);
+
+}  // namespace rigel

@@ -1,0 +1,99 @@
+// Everything a report says, as plain data: filled by report/measure, written by report/json, report/html and the
+// summary on the terminal. Field names follow report.json.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace rigel::tools {
+
+/// Relative to the mean exact irradiance over samples, channels and frames.
+struct ErrorFigures {
+  double rms = 0;
+  double max = 0;
+};
+
+struct RigFrame {
+  double time = 0;  // s
+  double spatialRms = 0;
+  double totalRms = 0;
+};
+
+struct StageTime {
+  std::string name;
+  double microseconds = 0;  // median over frames
+};
+
+struct RigReport {
+  std::string spec;
+  int shVectors = 0;
+  int projections = 0;
+  ErrorFigures spatial;
+  ErrorFigures total;
+  double fitMicroseconds = 0;        // median over frames: refresh + project + fit
+  double shadeNanosecondsPerPoint = 0;
+  std::size_t bytes = 0;
+  double maxJump = 0;     // DESIGN section 2
+  double condition = 1;   // worst condition number of the fit over the frames; 1 where nothing is solved
+  std::vector<StageTime> stages;
+  std::vector<RigFrame> frames;
+};
+
+/// Per frame, what the truth itself does: its mean and how far it moved since the frame before (RMS over samples).
+struct TruthFrame {
+  double time = 0;
+  double meanIrradiance = 0;
+  double movement = 0;  // relative to the run's mean
+};
+
+/// One picture of the gallery: PNG files relative to the report directory, plus the bytes for embedding.
+struct Picture {
+  std::string label;    // "truth", or a rig spec
+  double time = 0;
+  int frame = 0;
+  std::string imagePng, imageExr;        // "" where not written
+  std::string errorPng, errorExr;        // heat map; "" for the truth
+  double rms = 0;       // of the picture's covered pixels, relative to their mean exact irradiance
+  std::vector<std::uint8_t> imageBytes, errorBytes;  // the PNG files' content
+};
+
+struct ObjectReport {
+  std::string name;
+  int triangles = 0;
+  int samples = 0;
+  double meanIrradiance = 0;  // the denominator of all relative errors
+  std::vector<TruthFrame> truth;
+  std::vector<RigReport> rigs;
+  std::vector<Picture> pictures;  // all of one frame together: truth first
+};
+
+struct LightRow {
+  std::string name;
+  std::string type;
+  std::string summary;   // "I 40 40 36 W/sr, radius 0.05 m"
+};
+
+struct SceneReport {
+  std::string scene;      // as given on the command line
+  std::string clip;       // "" for a still scene
+  std::string lightsFrom; // --lights, or ""
+  int frames = 0;
+  double seconds = 0;     // wall time spent on it
+  std::vector<std::string> effects;
+  std::vector<std::string> notes;
+  std::vector<LightRow> lights;
+  std::vector<ObjectReport> objects;
+};
+
+struct Report {
+  std::string version;
+  std::string commandLine;
+  int bands = 3;
+  double exposure = 1;
+  double heatMapMax = 0.25;  // relative error at the top of the heat map's scale
+  std::vector<SceneReport> scenes;
+};
+
+}  // namespace rigel::tools
