@@ -83,7 +83,7 @@ struct Node {
   int light = -1;
   std::vector<float> morphWeights;  // overrides the mesh's when not empty
   bool isStatic = false;            // extras.rigel.static: scenery, drawn in pictures but given no rig
-  bool isObject = false;            // extras.rigel.object: this node and all meshes below it are one object with one rig
+  bool isObject = false;  // extras.rigel.object: this node and all meshes below it are one object with one rig
 };
 
 enum class AnimationPath { translation, rotation, scale, weights };
