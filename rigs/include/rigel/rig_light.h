@@ -1,0 +1,89 @@
+// Fitting a rig to a frame's lights, and evaluating the fitted rig.
+#pragma once
+
+#include <rigel/project.h>
+#include <rigel/rig.h>
+#include <rigel/wrap.h>
+
+#include <cassert>
+
+namespace rigel {
+
+/// Rigid placement of the rig frame in the world: columns x, y, z and origin. world = x*p.x + y*p.y + z*p.z + origin.
+struct RigFrame {
+  Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+  Vec3 origin;
+
+  Vec3 vector(Vec3 v) const noexcept { return x * v.x + y * v.y + z * v.z; }
+  Vec3 point(Vec3 p) const noexcept { return vector(p) + origin; }
+  /// The inverse of `point`; the columns must be orthonormal.
+  Vec3 inversePoint(Vec3 w) const noexcept {
+    const Vec3 d = w - origin;
+    return {dot(x, d), dot(y, d), dot(z, d)};
+  }
+};
+
+/// F_s: projects `lights` into every sample of the rig's current pose. `functionals` has rig.projections() entries.
+/// Cost: lights x samples projections. Allocates nothing.
+template <int B>
+void projectSamples(const Rig& rig, const RigFrame& worldFromRig, const LightSet& lights,
+                    std::span<RadianceSH<B>> functionals) noexcept {
+  assert(functionals.size() == static_cast<std::size_t>(rig.projections()));
+  auto out = functionals.begin();
+  for (const RigSample& sample : rig.samples()) {
+    const Vec3 p = worldFromRig.point(sample.position);
+    if (sample.derivatives == 0) {
+      *out++ = project<B>(lights, p);
+      continue;
+    }
+    const ProjectionWithGradient<B> projected = projectWithGradient<B>(lights, p);
+    *out++ = projected.value;
+    for (int i = 0; i < sample.derivatives; ++i) {
+      const Vec3 direction = worldFromRig.vector(sample.directions[i]);
+      RadianceSH<B> along = projected.gradient.d[0] * direction.x;
+      along += projected.gradient.d[1] * direction.y;
+      along += projected.gradient.d[2] * direction.z;
+      *out++ = along;
+    }
+  }
+}
+
+/// c = P F on typed vectors.
+template <int B>
+void fitRig(const Rig& rig, std::span<const RadianceSH<B>> functionals,
+            std::span<RadianceSH<B>> coefficients) noexcept {
+  constexpr int kWidth = 3 * shCount(B);
+  static_assert(sizeof(RadianceSH<B>) == kWidth * sizeof(float));
+  rig.fit({functionals.front().data(), functionals.size() * kWidth}, kWidth,
+          {coefficients.front().data(), coefficients.size() * kWidth});
+}
+
+/// Radiance SH at `p` (rig frame): sum_k phi_k(p) c_k.
+template <int B>
+RadianceSH<B> evaluateRig(const Rig& rig, std::span<const RadianceSH<B>> coefficients, Vec3 p) noexcept {
+  RigBasis basis;
+  rig.basis(p, basis);
+  RadianceSH<B> sum;
+  float* out = sum.data();
+  for (int j = 0; j < basis.count; ++j) {
+    const float* c = coefficients[basis.index[j]].data();
+    for (int i = 0; i < 3 * shCount(B); ++i) out[i] += basis.value[j] * c[i];
+  }
+  return sum;
+}
+
+/// E(n) = pi sum_l f_l sum_m L_lm Y_lm(n) [W/m2], not clamped. `wrapCoefficients` are f_l(a); n is unit, world.
+template <int B>
+Rgb irradiance(const RadianceSH<B>& radiance, const std::array<float, B>& wrapCoefficients, Vec3 n) noexcept {
+  float y[shCount(B)];
+  shBasis<B>(n, y);
+  Rgb sum;
+  for (int l = 0; l < B; ++l) {
+    Rgb band;
+    for (int i = l * l; i < (l + 1) * (l + 1); ++i) band += radiance[i] * y[i];
+    sum += band * wrapCoefficients[l];
+  }
+  return sum * static_cast<float>(kPi);
+}
+
+}  // namespace rigel

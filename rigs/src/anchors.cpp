@@ -1,0 +1,85 @@
+// k-means after S. Lloyd, "Least squares quantization in PCM", 1982, seeded by the farthest-point order of T. Gonzalez,
+// "Clustering to minimize the maximum intercluster distance", 1985.
+#include "anchors.h"
+
+#include <limits>
+
+namespace rigel {
+namespace {
+
+constexpr int kIterations = 24;
+
+float squaredDistance(Vec3 a, Vec3 b) noexcept { return dot(a - b, a - b); }
+
+Vec3 meanOf(std::span<const Vec3> points) {
+  Vec3 sum;
+  for (Vec3 p : points) sum += p;
+  return sum * (1 / static_cast<float>(points.size()));
+}
+
+std::vector<Vec3> farthestPoints(std::span<const Vec3> surface, int count) {
+  std::vector<float> distance(surface.size(), std::numeric_limits<float>::max());
+  std::vector<Vec3> chosen;
+  Vec3 latest = meanOf(surface);
+  while (static_cast<int>(chosen.size()) < count) {
+    std::size_t farthest = 0;
+    for (std::size_t i = 0; i < surface.size(); ++i) {
+      distance[i] = std::min(distance[i], squaredDistance(surface[i], latest));
+      if (distance[i] > distance[farthest]) farthest = i;
+    }
+    latest = surface[farthest];
+    chosen.push_back(latest);
+  }
+  return chosen;
+}
+
+int nearest(std::span<const Vec3> centres, Vec3 p) noexcept {
+  int best = 0;
+  for (int i = 1; i < static_cast<int>(centres.size()); ++i)
+    if (squaredDistance(p, centres[i]) < squaredDistance(p, centres[best])) best = i;
+  return best;
+}
+
+}  // namespace
+
+Anchors chooseAnchors(std::span<const Vec3> surface, int count) {
+  Anchors anchors;
+  if (static_cast<int>(surface.size()) <= count) {
+    for (int i = 0; i < static_cast<int>(surface.size()); ++i) anchors.index.push_back(i);
+    anchors.share.assign(surface.size(), 1 / static_cast<float>(surface.size()));
+    return anchors;
+  }
+
+  std::vector<Vec3> centres = farthestPoints(surface, count);
+  std::vector<int> cluster(surface.size());
+  std::vector<int> population(count);
+  for (int iteration = 0; iteration < kIterations; ++iteration) {
+    std::vector<Vec3> sum(count);
+    population.assign(count, 0);
+    for (std::size_t i = 0; i < surface.size(); ++i) {
+      cluster[i] = nearest(centres, surface[i]);
+      sum[cluster[i]] += surface[i];
+      ++population[cluster[i]];
+    }
+    for (int c = 0; c < count; ++c)
+      if (population[c] > 0) centres[c] = sum[c] * (1 / static_cast<float>(population[c]));
+  }
+
+  // The medoid is the cluster's own point nearest its centre: a mean need not lie on the surface. Clusters that
+  // coincident points left empty drop out.
+  std::vector<int> medoid(count, -1);
+  for (std::size_t i = 0; i < surface.size(); ++i) {
+    int& best = medoid[cluster[i]];
+    const Vec3 centre = centres[cluster[i]];
+    if (best < 0 || squaredDistance(surface[i], centre) < squaredDistance(surface[best], centre))
+      best = static_cast<int>(i);
+  }
+  for (int c = 0; c < count; ++c) {
+    if (medoid[c] < 0) continue;
+    anchors.index.push_back(medoid[c]);
+    anchors.share.push_back(static_cast<float>(population[c]) / static_cast<float>(surface.size()));
+  }
+  return anchors;
+}
+
+}  // namespace rigel

@@ -1,0 +1,55 @@
+// What every rig model implements. Models keep their samples and operator here; the operator is a sparse row per SH
+// vector, so that a lattice (one sample each) and a least-squares fit (all samples each) are the same thing.
+#pragma once
+
+#include <rigel/rig.h>
+
+namespace rigel {
+
+/// P, row k: entries [rowStart[k], rowStart[k+1]) of column and weight. Built once with its final sparsity; setPose
+/// changes weights only.
+struct SparseOperator {
+  std::vector<int> rowStart{0};
+  std::vector<int> column;
+  std::vector<float> weight;
+
+  void addEntry(int functional, float value) {
+    column.push_back(functional);
+    weight.push_back(value);
+  }
+  void endRow() { rowStart.push_back(static_cast<int>(column.size())); }
+  int rows() const noexcept { return static_cast<int>(rowStart.size()) - 1; }
+};
+
+class Rig::Model {
+ public:
+  explicit Model(RigSpec s) : spec(std::move(s)) {}
+  virtual ~Model() = default;
+
+  virtual void setPose(const RigPose& pose) noexcept = 0;
+  virtual void basis(Vec3 p, RigBasis& out) const noexcept = 0;
+
+  RigSpec spec;
+  std::vector<int> anchors;
+  std::vector<RigSample> samples;
+  int functionals = 0;  // sum of 1 + derivatives
+  SparseOperator op;
+  double condition = 1;
+};
+
+/// Centre and half extents of a box; `inverseHalf` is 0 along an axis without extent, so that coordinates there are 0.
+struct BoxCoordinates {
+  Vec3 centre, half, inverseHalf;
+
+  explicit BoxCoordinates(const RigBox& box = {}) noexcept
+      : centre((box.lo + box.hi) * 0.5f), half((box.hi - box.lo) * 0.5f) {
+    for (int axis = 0; axis < 3; ++axis) inverseHalf[axis] = half[axis] > 0 ? 1 / half[axis] : 0;
+  }
+  /// [-1, 1] inside the box.
+  Vec3 operator()(Vec3 p) const noexcept {
+    const Vec3 d = p - centre;
+    return {d.x * inverseHalf.x, d.y * inverseHalf.y, d.z * inverseHalf.z};
+  }
+};
+
+}  // namespace rigel

@@ -1,0 +1,33 @@
+// poly:K, a polynomial fitted by least squares to light sampled on the object's own surface.
+//
+// Monomials of the box coordinates u in [-1, 1]^3, ordered once in the rest pose by how much they vary over the
+// surface; the first K are kept, so a smaller K is a prefix. Every divisor of a kept monomial is kept too, so the
+// fitted function does not depend on where the box puts the origin or on its scale.
+#pragma once
+
+#include "surface_fit.h"
+
+#include <cstdint>
+
+namespace rigel {
+
+class Rig::PolyModel final : public Rig::Model {
+ public:
+  PolyModel(RigSpec spec, const RigShape& rest);
+
+  void setPose(const RigPose& pose) noexcept override;
+  void basis(Vec3 p, RigBasis& out) const noexcept override;
+
+ private:
+  /// A monomial as an earlier one times a coordinate, so that all are found with one product each.
+  struct Term {
+    std::int8_t from;
+    std::int8_t axis;
+  };
+
+  std::vector<Term> terms_;  // [0] is the constant 1
+  BoxCoordinates box_;
+  SurfaceFit surfaceFit_;
+};
+
+}  // namespace rigel

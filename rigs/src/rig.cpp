@@ -1,0 +1,71 @@
+#include <rigel/rig.h>
+
+#include "model.h"
+#include "poly_model.h"
+#include "tensor_model.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace rigel {
+namespace {
+
+bool isFinite(Vec3 v) noexcept { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+}  // namespace
+
+Result<Rig> Rig::create(const RigSpec& spec, const RigShape& rest) {
+  const RigBox& box = rest.box;
+  const std::string place = "rig '" + spec.text + "'";
+  if (!isFinite(box.lo) || !isFinite(box.hi) || box.lo.x > box.hi.x || box.lo.y > box.hi.y || box.lo.z > box.hi.z)
+    return Error{"the rest box is not a box", place};
+  if (rest.surface.empty()) return Error{"no surface points", place};
+  if (!std::ranges::all_of(rest.surface, isFinite)) return Error{"a surface point is not finite", place};
+
+  std::unique_ptr<Model> model;
+  if (spec.family == RigSpec::Family::poly) {
+    model = std::make_unique<PolyModel>(spec, rest);
+  } else {
+    model = std::make_unique<TensorModel>(spec, rest);
+  }
+  std::vector<Vec3> anchors;
+  for (int i : model->anchors) anchors.push_back(rest.surface[i]);
+  model->setPose({rest.box, anchors});
+  return Rig(std::move(model));
+}
+
+Rig::Rig(std::unique_ptr<Model> model) noexcept : model_(std::move(model)) {}
+Rig::Rig(Rig&&) noexcept = default;
+Rig& Rig::operator=(Rig&&) noexcept = default;
+Rig::~Rig() = default;
+
+const RigSpec& Rig::spec() const noexcept { return model_->spec; }
+int Rig::shVectors() const noexcept { return model_->op.rows(); }
+int Rig::projections() const noexcept { return model_->functionals; }
+std::span<const int> Rig::anchors() const noexcept { return model_->anchors; }
+std::span<const RigSample> Rig::samples() const noexcept { return model_->samples; }
+double Rig::condition() const noexcept { return model_->condition; }
+void Rig::basis(Vec3 p, RigBasis& out) const noexcept { model_->basis(p, out); }
+
+void Rig::setPose(const RigPose& pose) noexcept {
+  assert(pose.anchors.size() == model_->anchors.size());
+  model_->setPose(pose);
+}
+
+void Rig::fit(std::span<const float> functionals, int width, std::span<float> coefficients) const noexcept {
+  const SparseOperator& op = model_->op;
+  assert(functionals.size() == static_cast<std::size_t>(projections()) * width);
+  assert(coefficients.size() == static_cast<std::size_t>(shVectors()) * width);
+  for (int k = 0; k < op.rows(); ++k) {
+    float* c = &coefficients[static_cast<std::size_t>(k) * width];
+    std::fill_n(c, width, 0.0f);
+    for (int e = op.rowStart[k]; e < op.rowStart[k + 1]; ++e) {
+      const float weight = op.weight[e];
+      const float* f = &functionals[static_cast<std::size_t>(op.column[e]) * width];
+      for (int i = 0; i < width; ++i) c[i] += weight * f[i];
+    }
+  }
+}
+
+}  // namespace rigel

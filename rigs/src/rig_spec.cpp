@@ -1,0 +1,169 @@
+// Parses the text form of rig models. Grammar (blanks ignored):
+//   spec   := ("constant" | "gradient" | "lattice:" AxBxC [":" kernel] | "mixed:" ["xyz:"] m "," m "," m | "poly:" K)
+//   ["@" fit] m      := "c" | "g" | "l" N          kernel := "linear" | "smooth" | "cubic" fit    := "corners" |
+//   "numeric" | "lsq"
+#include <rigel/rig_spec.h>
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+
+namespace rigel {
+namespace {
+
+constexpr int kMaxAxisNodes = 64;
+
+std::optional<int> parseInt(std::string_view text) {
+  int value = 0;
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (status != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (;;) {
+    const auto at = text.find(separator);
+    parts.push_back(text.substr(0, at));
+    if (at == std::string_view::npos) return parts;
+    text.remove_prefix(at + 1);
+  }
+}
+
+bool consumePrefix(std::string_view& text, std::string_view prefix) {
+  if (!text.starts_with(prefix)) return false;
+  text.remove_prefix(prefix.size());
+  return true;
+}
+
+std::optional<AxisModel> latticeAxis(std::string_view count) {
+  const auto nodes = parseInt(count);
+  if (!nodes || *nodes < 1 || *nodes > kMaxAxisNodes) return std::nullopt;
+  if (*nodes == 1) return AxisModel{};
+  return AxisModel{AxisModel::Kind::lattice, *nodes};
+}
+
+std::optional<AxisModel> parseAxis(std::string_view text) {
+  if (text == "c") return AxisModel{AxisModel::Kind::constant, 1};
+  if (text == "g") return AxisModel{AxisModel::Kind::gradient, 1};
+  return consumePrefix(text, "l") ? latticeAxis(text) : std::nullopt;
+}
+
+std::optional<LatticeKernel> parseKernel(std::string_view text) {
+  if (text == "linear") return LatticeKernel::linear;
+  if (text == "smooth") return LatticeKernel::smooth;
+  if (text == "cubic") return LatticeKernel::cubic;
+  return std::nullopt;
+}
+
+/// The part before '@'. Returns what is wrong, or "".
+std::string parseModel(std::string_view text, RigSpec& spec) {
+  if (text == "constant") return "";
+  if (text == "gradient") {
+    spec.axes.fill({AxisModel::Kind::gradient, 1});
+    return "";
+  }
+  if (consumePrefix(text, "lattice:")) {
+    const auto parts = split(text, ':');
+    const auto counts = split(parts[0], 'x');
+    if (counts.size() != 3) return "a lattice needs three node counts, as in lattice:3x2x2";
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto model = latticeAxis(counts[axis]);
+      if (!model) return "'" + std::string(counts[axis]) + "' is not a node count from 1 to 64";
+      spec.axes[axis] = *model;
+    }
+    if (parts.size() > 2) return "too many ':'";
+    if (parts.size() == 2) {
+      const auto kernel = parseKernel(parts[1]);
+      if (!kernel) return "unknown kernel '" + std::string(parts[1]) + "' (known: linear, smooth, cubic)";
+      spec.kernel = *kernel;
+    }
+    return "";
+  }
+  if (consumePrefix(text, "mixed:")) {
+    spec.pinnedAxes = consumePrefix(text, "xyz:");
+    const auto parts = split(text, ',');
+    if (parts.size() != 3) return "a mixed rig needs three axis models, as in mixed:l3,g,c";
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto model = parseAxis(parts[axis]);
+      if (!model) return "unknown axis model '" + std::string(parts[axis]) + "' (known: c, g, lN with N from 1 to 64)";
+      spec.axes[axis] = *model;
+    }
+    return "";
+  }
+  if (consumePrefix(text, "poly:")) {
+    const auto terms = parseInt(text);
+    if (!terms || *terms < 1 || *terms > kMaxPolyTerms)
+      return "'" + std::string(text) + "' is not a number of terms from 1 to " + std::to_string(kMaxPolyTerms);
+    spec.family = RigSpec::Family::poly;
+    spec.fit = FitMethod::lsq;
+    spec.polyTerms = *terms;
+    return "";
+  }
+  return "unknown rig model (known: constant, gradient, lattice:AxBxC, mixed:m1,m2,m3, poly:K)";
+}
+
+/// The part after '@'. Returns what is wrong, or "".
+std::string parseFit(std::string_view text, RigSpec& spec) {
+  if (spec.family == RigSpec::Family::poly) {
+    return text == "lsq" ? "" : "a poly rig is always least squares: '@" + std::string(text) + "' does not apply";
+  }
+  if (text == "corners") {
+    spec.fit = FitMethod::corners;
+  } else if (text == "lsq") {
+    spec.fit = FitMethod::lsq;
+  } else if (text == "numeric") {
+    if (std::ranges::none_of(spec.axes, [](AxisModel a) { return a.kind == AxisModel::Kind::gradient; }))
+      return "'@numeric' needs a gradient axis";
+    spec.fit = FitMethod::numeric;
+  } else {
+    return "unknown suffix '@" + std::string(text) + "' (known: @corners, @numeric, @lsq)";
+  }
+  return "";
+}
+
+}  // namespace
+
+int RigSpec::shVectors() const noexcept {
+  if (family == Family::poly) return polyTerms;
+  int nodes = 1;
+  int slopes = 0;
+  for (const AxisModel& axis : axes) {
+    nodes *= axis.nodes;
+    slopes += axis.kind == AxisModel::Kind::gradient;
+  }
+  return nodes * (1 + slopes);
+}
+
+Result<RigSpec> parseRigSpec(std::string_view text) {
+  RigSpec spec;
+  std::ranges::copy_if(text, std::back_inserter(spec.text), [](char c) { return c != ' ' && c != '\t'; });
+  const std::string place = "rig spec '" + std::string(text) + "'";
+  if (spec.text.empty()) return Error{"empty", place};
+
+  const auto at = spec.text.find('@');
+  std::string wrong = parseModel(std::string_view(spec.text).substr(0, at), spec);
+  if (wrong.empty() && at != std::string::npos) wrong = parseFit(std::string_view(spec.text).substr(at + 1), spec);
+  if (!wrong.empty()) return Error{wrong, place};
+
+  const int limit = spec.fit == FitMethod::lsq ? kMaxLsqVectors : kMaxShVectors;
+  if (spec.shVectors() > limit)
+    return Error{std::to_string(spec.shVectors()) + " SH vectors; at most " + std::to_string(limit) +
+                     (spec.fit == FitMethod::lsq ? " with least squares" : ""),
+                 place};
+  return spec;
+}
+
+Result<std::vector<RigSpec>> parseRigSpecs(std::string_view text) {
+  std::vector<RigSpec> specs;
+  for (std::string_view part : split(text, ';')) {
+    auto spec = parseRigSpec(part);
+    if (!spec) return spec.error();
+    if (std::ranges::any_of(specs, [&](const RigSpec& other) { return other.text == spec->text; }))
+      return Error{"given twice", "rig spec '" + spec->text + "'"};
+    specs.push_back(*std::move(spec));
+  }
+  return specs;
+}
+
+}  // namespace rigel

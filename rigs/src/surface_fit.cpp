@@ -1,0 +1,44 @@
+#include "surface_fit.h"
+
+#include "anchors.h"
+
+#include <algorithm>
+
+namespace rigel {
+namespace {
+
+constexpr int kPointsPerVector = 2;
+
+/// Fills the model's anchors; returns the share of the area that each stands for.
+std::vector<float> setUpAnchors(Rig::Model& model, std::span<const Vec3> surface, int vectors) {
+  Anchors chosen = chooseAnchors(surface, kPointsPerVector * vectors);
+  model.anchors = std::move(chosen.index);
+  model.functionals = static_cast<int>(model.anchors.size());
+  model.samples.resize(model.anchors.size());
+  for (int k = 0; k < vectors; ++k) {
+    for (int s = 0; s < model.functionals; ++s) model.op.addEntry(s, 0);
+    model.op.endRow();
+  }
+  return std::move(chosen.share);
+}
+
+}  // namespace
+
+SurfaceFit::SurfaceFit(Rig::Model& model, std::span<const Vec3> surface, std::vector<double> constant)
+    : shares_(setUpAnchors(model, surface, static_cast<int>(constant.size()))),
+      constant_(std::move(constant)),
+      leastSquares_(model.functionals, static_cast<int>(constant_.size())) {}
+
+void SurfaceFit::setPose(Rig::Model& model, const RigPose& pose) noexcept {
+  RigBasis phi;
+  for (int s = 0; s < model.functionals; ++s) {
+    model.samples[s].position = pose.anchors[s];
+    const auto row = leastSquares_.row(s);
+    std::ranges::fill(row, 0.0);
+    model.basis(pose.anchors[s], phi);
+    for (int j = 0; j < phi.count; ++j) row[phi.index[j]] = static_cast<double>(phi.value[j]);
+  }
+  model.condition = leastSquares_.solve(shares_, constant_, model.op.weight);
+}
+
+}  // namespace rigel

@@ -1,0 +1,135 @@
+#include "tensor_model.h"
+
+#include "lattice_kernel.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace rigel {
+namespace {
+
+// @numeric takes the slope from the secant between -h and h of the half extent. 1/sqrt(3), the nodes of the two-point
+// Gauss rule, minimise the secant's error over the box for light that varies quadratically or cubically.
+constexpr float kSecant = 0.57735027f;
+
+/// Box axes by decreasing extent; ties keep x, y, z.
+std::array<int, 3> axesByExtent(const RigBox& box) {
+  const Vec3 extent = box.hi - box.lo;
+  std::array<int, 3> order{0, 1, 2};
+  std::ranges::stable_sort(order, [&](int a, int b) { return extent[a] > extent[b]; });
+  return order;
+}
+
+Vec3 unit(int axis) noexcept {
+  Vec3 v;
+  v[axis] = 1;
+  return v;
+}
+
+}  // namespace
+
+Rig::TensorModel::TensorModel(RigSpec s, const RigShape& rest) : Model(std::move(s)) {
+  const std::array<int, 3> order = spec.pinnedAxes ? std::array{0, 1, 2} : axesByExtent(rest.box);
+  for (int i = 0; i < 3; ++i) axis_[order[i]] = spec.axes[i];
+  for (int a = 0; a < 3; ++a) {
+    stride_[a] = nodes_;
+    nodes_ *= axis_[a].nodes;
+    if (axis_[a].kind == AxisModel::Kind::gradient) slopeAxes_.push_back(a);
+  }
+  if (spec.fit == FitMethod::lsq) {
+    std::vector<double> constant(spec.shVectors(), 0);
+    for (int n = 0; n < nodes_; ++n) constant[n * (1 + slopeAxes_.size())] = 1;
+    surfaceFit_.emplace(*this, rest.surface, std::move(constant));
+  } else {
+    buildSamples();
+    buildOperator();
+  }
+}
+
+void Rig::TensorModel::buildSamples() {
+  const int slopes = static_cast<int>(slopeAxes_.size());
+  if (spec.fit == FitMethod::numeric) {
+    samples.resize(nodes_ * (1 + 2 * slopes));
+    functionals = static_cast<int>(samples.size());
+  } else {
+    samples.assign(nodes_, RigSample{{}, slopes, {}});
+    functionals = nodes_ * (1 + slopes);
+  }
+}
+
+void Rig::TensorModel::buildOperator() {
+  const int perNode = 1 + static_cast<int>(slopeAxes_.size());
+  for (int n = 0; n < nodes_; ++n) {
+    for (int j = 0; j < perNode; ++j) {
+      if (spec.fit == FitMethod::corners || j == 0) {
+        op.addEntry(spec.fit == FitMethod::corners ? n * perNode + j : n * (2 * perNode - 1), 1);
+      } else {
+        const int secant = n * (2 * perNode - 1) + 2 * j - 1;
+        op.addEntry(secant, -0.5f / kSecant);
+        op.addEntry(secant + 1, 0.5f / kSecant);
+      }
+      op.endRow();
+    }
+  }
+}
+
+void Rig::TensorModel::placeSamples() noexcept {
+  auto sample = samples.begin();
+  for (int n = 0; n < nodes_; ++n) {
+    Vec3 p = box_.centre;
+    for (int a = 0; a < 3; ++a) {
+      const int count = axis_[a].nodes;
+      if (count == 1) continue;
+      const int i = n / stride_[a] % count;
+      p[a] += box_.half[a] * (2 * static_cast<float>(i) / static_cast<float>(count - 1) - 1);
+    }
+    sample->position = p;
+    if (spec.fit == FitMethod::corners) {
+      // Slopes are per half extent, so that coefficients have the units of the value.
+      for (std::size_t j = 0; j < slopeAxes_.size(); ++j)
+        sample->directions[j] = unit(slopeAxes_[j]) * box_.half[slopeAxes_[j]];
+    } else {
+      for (int a : slopeAxes_) {
+        const Vec3 step = unit(a) * (kSecant * box_.half[a]);
+        (++sample)->position = p - step;
+        (++sample)->position = p + step;
+      }
+    }
+    ++sample;
+  }
+}
+
+void Rig::TensorModel::setPose(const RigPose& pose) noexcept {
+  box_ = BoxCoordinates(pose.box);
+  if (surfaceFit_) {
+    surfaceFit_->setPose(*this, pose);
+  } else {
+    placeSamples();
+  }
+}
+
+void Rig::TensorModel::basis(Vec3 p, RigBasis& out) const noexcept {
+  const Vec3 u = box_(p);
+  std::array<AxisWeights, 3> w;
+  for (int a = 0; a < 3; ++a) w[a] = axisWeights(spec.kernel, axis_[a].nodes, u[a]);
+  const int perNode = 1 + static_cast<int>(slopeAxes_.size());
+  out.count = 0;
+  for (int k = 0; k < w[2].count; ++k) {
+    for (int j = 0; j < w[1].count; ++j) {
+      const float outer = w[2].weight[k] * w[1].weight[j];
+      const int row = (w[2].first + k) * stride_[2] + (w[1].first + j) * stride_[1];
+      for (int i = 0; i < w[0].count; ++i) {
+        const float b = outer * w[0].weight[i];
+        const int first = (row + (w[0].first + i) * stride_[0]) * perNode;
+        out.index[out.count] = first;
+        out.value[out.count++] = b;
+        for (int s = 1; s < perNode; ++s) {
+          out.index[out.count] = first + s;
+          out.value[out.count++] = b * u[slopeAxes_[s - 1]];
+        }
+      }
+    }
+  }
+}
+
+}  // namespace rigel

@@ -1,0 +1,34 @@
+// Constant, gradient, lattice and mixed rigs: one model an axis of the box, as a tensor product.
+//
+// Lattice axes multiply: their nodes form a grid of N positions. Gradient axes add: each gives every node one slope.
+// So K = N (1 + gradient axes); "gradient" is mixed:g,g,g (value + 3 slopes) and "constant" mixed:c,c,c. Products of
+// slopes are left out: they would need second derivatives of the light.
+#pragma once
+
+#include "surface_fit.h"
+
+#include <optional>
+
+namespace rigel {
+
+class Rig::TensorModel final : public Rig::Model {
+ public:
+  TensorModel(RigSpec spec, const RigShape& rest);
+
+  void setPose(const RigPose& pose) noexcept override;
+  void basis(Vec3 p, RigBasis& out) const noexcept override;
+
+ private:
+  void buildSamples();
+  void buildOperator();
+  void placeSamples() noexcept;
+
+  std::array<AxisModel, 3> axis_;  // of x, y, z
+  std::array<int, 3> stride_;      // nodes between neighbours along an axis
+  std::vector<int> slopeAxes_;
+  int nodes_ = 1;
+  BoxCoordinates box_;
+  std::optional<SurfaceFit> surfaceFit_;  // @lsq only
+};
+
+}  // namespace rigel
