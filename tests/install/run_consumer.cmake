@@ -1,0 +1,40 @@
+# cmake -P script of the test install.consumer; any step that fails ends it.
+function(run)
+  execute_process(COMMAND ${ARGN} COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+set(prefix ${WORK_DIR}/prefix)
+file(REMOVE_RECURSE ${WORK_DIR})
+run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${prefix})
+
+# The package can be moved: nothing in it may name the folders it was built in.
+file(GLOB_RECURSE package_files ${prefix}/*.cmake)
+list(LENGTH package_files package_file_count)
+if(package_file_count LESS 4)
+  message(FATAL_ERROR "expected config, version, targets and targets-CONFIG files, found: ${package_files}")
+endif()
+foreach(file ${package_files})
+  file(STRINGS ${file} lines)
+  foreach(line IN LISTS lines)
+    string(FIND "${line}" "${SOURCE_DIR}" in_source)
+    string(FIND "${line}" "Eigen" eigen)
+    if(NOT in_source EQUAL -1 OR NOT eigen EQUAL -1)
+      message(FATAL_ERROR "${file} names the source folder or a private dependency: ${line}")
+    endif()
+  endforeach()
+endforeach()
+file(RENAME ${prefix} ${WORK_DIR}/moved)
+set(prefix ${WORK_DIR}/moved)
+
+run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${WORK_DIR}/build -G ${GENERATOR}
+  -DCMAKE_CXX_COMPILER=${CXX} -DCMAKE_PREFIX_PATH=${prefix} -DHEADER_DIR=${prefix}/include/rigel)
+run(${CMAKE_COMMAND} --build ${WORK_DIR}/build)
+run(${WORK_DIR}/build/consumer)
+
+if(TOOLS)
+  execute_process(COMMAND ${prefix}/bin/rigel --version OUTPUT_VARIABLE version COMMAND_ERROR_IS_FATAL ANY)
+  string(FIND "${version}" "${VERSION}" at)
+  if(at EQUAL -1)
+    message(FATAL_ERROR "the installed program says version ${version}, expected ${VERSION}")
+  endif()
+endif()
