@@ -53,7 +53,7 @@ install_packages() {
   rm -f "$log"
 }
 
-# configure PRESET [OPTION...]: a compiler cache is used where there is one, and a cached choice is left alone.
+# configure PRESET [OPTION...]: with a compiler cache where there is one.
 configure() {
   local preset=$1 launcher=()
   shift
