@@ -28,4 +28,37 @@ void LightSet::reserve(int perKind) {
   reserveAll(n, cone_.dx, cone_.dy, cone_.dz, cone_.inner, cone_.outer);
 }
 
+void LightSet::Local::push(Vec3 position, float sphereRadius, float windowRange, Rgb colour) {
+  x.push_back(position.x);
+  y.push_back(position.y);
+  z.push_back(position.z);
+  radius.push_back(sphereRadius);
+  range.push_back(windowRange);
+  r.push_back(colour.r);
+  g.push_back(colour.g);
+  b.push_back(colour.b);
+}
+
+void LightSet::add(const DirectionalLight& light) {
+  directional_.dx.push_back(light.direction.x);
+  directional_.dy.push_back(light.direction.y);
+  directional_.dz.push_back(light.direction.z);
+  directional_.r.push_back(light.irradiance.r);
+  directional_.g.push_back(light.irradiance.g);
+  directional_.b.push_back(light.irradiance.b);
+}
+
+void LightSet::add(const PointLight& light) { point_.push(light.position, light.radius, light.range, light.intensity); }
+
+void LightSet::add(const SpotLight& light) {
+  spot_.push(light.position, light.radius, light.range, light.intensity);
+  cone_.dx.push_back(light.direction.x);
+  cone_.dy.push_back(light.direction.y);
+  cone_.dz.push_back(light.direction.z);
+  cone_.inner.push_back(light.innerAngle);
+  cone_.outer.push_back(light.outerAngle);
+}
+
+void LightSet::add(const SphereLight& light) { sphere_.push(light.position, light.radius, kNoRange, light.radiance); }
+
 }  // namespace rigel

@@ -15,16 +15,19 @@ namespace rigel {
 
 inline constexpr float kDefaultPointRadius = 0.01f;  // m
 inline constexpr float kMinPointRadius = 1e-6f;      // m; smaller radii (0 included) are raised to it
+/// The cone's smoothstep spans at least this much of the cosine, so that inner == outer is a steep edge, not a jump.
+inline constexpr float kMinConeWidth = 1e-4f;
 inline constexpr float kNoRange = std::numeric_limits<float>::infinity();
 
 /// A distant light; `direction` is the way the light travels (need not be unit), `irradiance` at normal incidence.
+/// Without a direction (zero or infinite length) it contributes nothing.
 struct DirectionalLight {
   Vec3 direction{0, -1, 0};
   Rgb irradiance;
 };
 
 /// Intensity I [W/sr]: irradiance I/d^2 at distance d >= radius. `range` R applies the window clamp(1-(d/R)^4, 0, 1)^2,
-/// glTF's own window squared, which has no kink at R.
+/// glTF's own window squared, which has no kink at R; a range that is not positive leaves no light.
 struct PointLight {
   Vec3 position;
   Rgb intensity;
@@ -32,8 +35,9 @@ struct PointLight {
   float range = kNoRange;
 };
 
-/// A point light within a cone along `direction` (need not be unit): full inside `innerAngle`, none outside `outerAngle`
-/// (radians from the axis, 0 <= inner <= outer <= pi), smoothstep of the cosine between.
+/// A point light within a cone along `direction` (need not be unit): full inside `innerAngle`, none outside
+/// `outerAngle` (radians from the axis, 0 <= inner <= outer <= pi), smoothstep of the cosine between. Without a
+/// direction it contributes nothing.
 struct SpotLight {
   Vec3 position;
   Vec3 direction{0, -1, 0};
@@ -44,15 +48,15 @@ struct SpotLight {
   float range = kNoRange;
 };
 
-/// A sphere of uniform radiance [W/(m2 sr)].
+/// A sphere of uniform radiance [W/(m2 sr)]. A radius that is not positive leaves no light.
 struct SphereLight {
   Vec3 position;
   float radius = 0;
   Rgb radiance;
 };
 
-/// All lights of a frame, structure of arrays per kind. Filling it allocates only while it grows; `clear` keeps capacity.
-/// `index` arguments run within a kind. Not thread safe for writers; any number of readers.
+/// All lights of a frame, structure of arrays per kind. Filling it allocates only while it grows; `clear` keeps
+/// capacity. `index` arguments run within a kind. Not thread safe for writers; any number of readers.
 class LightSet {
  public:
   void clear() noexcept;
@@ -69,10 +73,25 @@ class LightSet {
   int sphereCount() const noexcept { return static_cast<int>(sphere_.r.size()); }
   int size() const noexcept { return directionalCount() + pointCount() + spotCount() + sphereCount(); }
 
-  DirectionalLight directional(int index) const noexcept;
-  PointLight point(int index) const noexcept;
-  SpotLight spot(int index) const noexcept;
-  SphereLight sphere(int index) const noexcept;
+  DirectionalLight directional(int index) const noexcept {
+    const Directional& l = directional_;
+    return {{l.dx[index], l.dy[index], l.dz[index]}, {l.r[index], l.g[index], l.b[index]}};
+  }
+  PointLight point(int index) const noexcept {
+    const Local& l = point_;
+    return {l.position(index), l.colour(index), l.radius[index], l.range[index]};
+  }
+  SpotLight spot(int index) const noexcept {
+    const Local& l = spot_;
+    return {l.position(index),  {cone_.dx[index], cone_.dy[index], cone_.dz[index]},
+            l.colour(index),    cone_.inner[index],
+            cone_.outer[index], l.radius[index],
+            l.range[index]};
+  }
+  SphereLight sphere(int index) const noexcept {
+    const Local& l = sphere_;
+    return {l.position(index), l.radius[index], l.colour(index)};
+  }
 
  private:
   using Floats = std::vector<float>;
@@ -81,6 +100,10 @@ class LightSet {
   } directional_;
   struct Local {  // point, and the point part of spot; colour is intensity, or radiance for spheres
     Floats x, y, z, radius, range, r, g, b;
+
+    Vec3 position(int i) const noexcept { return {x[i], y[i], z[i]}; }
+    Rgb colour(int i) const noexcept { return {r[i], g[i], b[i]}; }
+    void push(Vec3 position, float sphereRadius, float windowRange, Rgb colour);
   } point_, spot_, sphere_;
   struct Cone {
     Floats dx, dy, dz, inner, outer;

@@ -1,14 +1,20 @@
 // Projection of lights into radiance SH at a receiver point, with analytic spatial gradient: the float runtime path.
 //
-// q_lm = 2 pi L g_l Y_lm(w), s2 = (r/d)^2, c = sqrt(1-s2), g_l = s2 P_l'(c)/(l(l+1)), in a form that neither cancels for
-// small r/d nor near contact. Inside a sphere (d < r) the continuous extension: hemisphere at d = r, full sphere at
-// d = 0. Total functions: finite input of any scale gives finite output; a light with a NaN anywhere contributes 0.
+// q_lm = 2 pi L g_l Y_lm(w), s2 = (r/d)^2, c = sqrt(1-s2), g_l = s2 P_l'(c)/(l(l+1)), in a form that neither cancels
+// for small r/d nor near contact. Inside a sphere (d < r) the continuous extension: hemisphere at d = r, full sphere at
+// d = 0. Distances are formed in double from the float positions, the rest is float. Total functions: input of any
+// scale gives finite output (see kMaxProjectionScale); a light contributes 0 where it or p holds a NaN or is infinitely
+// far.
 #pragma once
 
 #include <rigel/light.h>
 #include <rigel/sh.h>
 
 namespace rigel {
+
+/// The magnitude a light's scale (flux 2 pi L min(1,(r/d)^2), and its derivative) is held to. Far above any physical
+/// light, and so far below the largest float that a hundred thousand lights at the limit still sum to a finite value.
+inline constexpr float kMaxProjectionScale = 1e32f;
 
 /// SH of one light at `p` (world, metres). No pi, no f_l. B in 2..5. About 50 flops + 6 B^2; no allocation.
 template <int B>
@@ -20,8 +26,8 @@ RadianceSH<B> project(const SpotLight& light, Vec3 p) noexcept;
 template <int B>
 RadianceSH<B> project(const SphereLight& light, Vec3 p) noexcept;
 
-/// SH and its derivative by p. Range window and spot cone enter by the product rule. The true derivative is unbounded at
-/// a sphere's surface (1/c): c is held >= kMinGradientCosine there.
+/// SH and its derivative by p. Range window and spot cone enter by the product rule. The true derivative is unbounded
+/// at a sphere's surface (1/c): c is held >= kMinGradientCosine there.
 inline constexpr float kMinGradientCosine = 0.1f;
 
 template <int B>

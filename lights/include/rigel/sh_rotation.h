@@ -3,6 +3,8 @@
 
 #include <rigel/sh.h>
 
+#include <type_traits>
+
 namespace rigel {
 
 /// Row-major 3x3 rotation: rotated = R * v.
@@ -40,6 +42,7 @@ class ShRotation {
 /// Adds `colour` * sum_l zonal[l] Y_l0 turned from +z to the unit vector `axis`: coefficient lm grows by
 /// colour * sqrt(4pi/(2l+1)) zonal[l] Y_lm(axis).
 template <int B, class Tag>
-void addZonal(ShRgb<B, Tag>& sh, const std::array<float, B>& zonal, Vec3 axis, Rgb colour) noexcept;
+void addZonal(ShRgb<B, Tag>& sh, const std::type_identity_t<std::array<float, B>>& zonal, Vec3 axis,
+              Rgb colour) noexcept;
 
 }  // namespace rigel

@@ -11,7 +11,11 @@ namespace rigel {
 inline constexpr float kMinWrap = -0.25f;
 inline constexpr float kMaxWrap = 1.0f;
 
-/// f(theta|a) for x = cos theta in [-1, 1].
+/// `a` held within [kMinWrap, kMaxWrap]; NaN gives 0 (Lambert). What every function below does to its wrap argument,
+/// wrapKernel apart.
+float clampWrap(float a) noexcept;
+
+/// f(theta|a) for x = cos theta in [-1, 1] and any a in (-1, 1].
 double wrapKernel(double x, double a) noexcept;
 
 /// f_l(a), l < B, such that E(n) = pi sum_l f_l sum_m L_lm Y_lm(n); a = 0: 1, 2/3, 1/4, 0, -1/24. By the three-term

@@ -1,0 +1,204 @@
+// Projection of lights into SH. With fluxScale F, modulation M (range window, spot cone), w towards the light:
+//
+//   q_lm      = F M k_l Y_lm(w)
+//   d q_lm/dp = F M e [ (P_l(c)/|c|) Y_lm(w) w - h_l (I - w w^T) grad Y_lm(w) ] + F (dM/dp) k_l Y_lm(w)
+//
+// where e = 1/d outside and d/r^2 inside: both follow from g_l' = -s2 P_l(c)/(d |c|) and dw/dp = -(I - w w^T)/d.
+// Sphere projection: P.-P. Sloan, "Stupid Spherical Harmonics Tricks", 2008 (spherical light sources); the zonal
+// factors in the form of zonal.h, which holds for every distance.
+#include <rigel/project.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "local_light.h"
+#include "sh_polynomials.h"
+#include "zonal.h"
+
+namespace rigel {
+namespace {
+
+using detail::LocalTerm;
+using detail::Vec3d;
+
+/// colour * scale, held within +-kMaxProjectionScale; a product without a value (infinity times zero) is 0.
+Rgb boundedColour(Rgb colour, double scale) noexcept {
+  constexpr double kLimit = kMaxProjectionScale;
+  const auto bounded = [&](float channel) {
+    const double product = channel * scale;
+    return product == product ? static_cast<float>(std::clamp(product, -kLimit, kLimit)) : 0.0f;
+  };
+  return {bounded(colour.r), bounded(colour.g), bounded(colour.b)};
+}
+
+template <int B>
+void accumulate(const DirectionalLight& light, RadianceSH<B>& sh) noexcept {
+  if (detail::anyNan(light.direction) || detail::anyNan(light.irradiance)) return;
+  const Vec3d towardsLight = detail::directionOf(light.direction) * -1.0;
+  if (detail::dot(towardsLight, towardsLight) == 0) return;
+
+  float y[shCount(B)];
+  detail::basisPolynomials<B>(detail::narrow(towardsLight), y);
+  const Rgb scale = boundedColour(light.irradiance, 1);
+  for (int i = 0; i < shCount(B); ++i) sh[i] += scale * y[i];
+}
+
+template <int B>
+void accumulateValue(const LocalTerm& term, Rgb colour, RadianceSH<B>& sh) noexcept {
+  float y[shCount(B)];
+  float k[B];
+  detail::basisPolynomials<B>(detail::narrow(term.view.w), y);
+  detail::zonalFactors<B>(static_cast<float>(term.view.s2), static_cast<float>(term.view.c), term.view.inside, k);
+  const Rgb scale = boundedColour(colour, term.fluxScale * term.modulation.value);
+  for (int l = 0; l < B; ++l) {
+    for (int i = shIndex(l, -l); i <= shIndex(l, l); ++i) sh[i] += scale * (k[l] * y[i]);
+  }
+}
+
+template <int B>
+void accumulateGradient(const LocalTerm& term, Rgb colour, RadianceShGradient<B>& gradient) noexcept {
+  const detail::SphereView& view = term.view;
+  const auto s2 = static_cast<float>(view.s2);
+  const auto c = static_cast<float>(view.c);
+  const Vec3 w = detail::narrow(view.w);
+  float y[shCount(B)];
+  Vec3 dy[shCount(B)];
+  detail::basisPolynomials<B>(w, y);
+  detail::basisGradientPolynomials<B>(w, dy);
+  float k[B], h[B], radial[B];
+  detail::zonalFactors<B>(s2, c, view.inside, k);
+  detail::slopeFactors<B>(s2, c, h);
+  detail::legendre<B>(s2, c, radial);
+  const float perCosine = 1 / std::max(std::abs(c), kMinGradientCosine);
+
+  const double perMetre = view.inside ? view.distance / (view.radius * view.radius) : 1 / view.distance;
+  const Rgb scale = boundedColour(colour, term.fluxScale * term.modulation.value * perMetre);
+  const Vec3d& slope = term.modulation.gradient;
+  const bool modulated = slope.x != 0 || slope.y != 0 || slope.z != 0;
+  Rgb slopeScale[3];
+  if (modulated) {
+    for (int axis = 0; axis < 3; ++axis) slopeScale[axis] = boundedColour(colour, term.fluxScale * slope[axis]);
+  }
+
+  for (int l = 0; l < B; ++l) {
+    const float along = radial[l] * perCosine;
+    for (int i = shIndex(l, -l); i <= shIndex(l, l); ++i) {
+      const Vec3 tangential = dy[i] - w * dot(w, dy[i]);
+      const Vec3 direction = w * (along * y[i]) - tangential * h[l];
+      for (int axis = 0; axis < 3; ++axis) gradient.d[axis][i] += scale * direction[axis];
+      if (modulated) {
+        for (int axis = 0; axis < 3; ++axis) gradient.d[axis][i] += slopeScale[axis] * (k[l] * y[i]);
+      }
+    }
+  }
+}
+
+template <int B, class Light>
+void accumulate(const Light& light, Vec3 p, RadianceSH<B>& sh) noexcept {
+  const LocalTerm term = detail::localTerm(light, p);
+  if (!term.view.valid || !(term.modulation.value > 0)) return;
+  accumulateValue<B>(term, detail::colourOf(light), sh);
+}
+
+template <int B, class Light>
+void accumulate(const Light& light, Vec3 p, ProjectionWithGradient<B>& out) noexcept {
+  const LocalTerm term = detail::localTerm(light, p);
+  if (!term.view.valid || !(term.modulation.value > 0)) return;
+  accumulateValue<B>(term, detail::colourOf(light), out.value);
+  accumulateGradient<B>(term, detail::colourOf(light), out.gradient);
+}
+
+}  // namespace
+
+template <int B>
+RadianceSH<B> project(const DirectionalLight& light, Vec3) noexcept {
+  RadianceSH<B> sh;
+  accumulate<B>(light, sh);
+  return sh;
+}
+
+template <int B>
+RadianceSH<B> project(const PointLight& light, Vec3 p) noexcept {
+  RadianceSH<B> sh;
+  accumulate<B>(light, p, sh);
+  return sh;
+}
+
+template <int B>
+RadianceSH<B> project(const SpotLight& light, Vec3 p) noexcept {
+  RadianceSH<B> sh;
+  accumulate<B>(light, p, sh);
+  return sh;
+}
+
+template <int B>
+RadianceSH<B> project(const SphereLight& light, Vec3 p) noexcept {
+  RadianceSH<B> sh;
+  accumulate<B>(light, p, sh);
+  return sh;
+}
+
+template <int B>
+RadianceSH<B> project(const LightSet& lights, Vec3 p) noexcept {
+  RadianceSH<B> sh;
+  for (int i = 0; i < lights.directionalCount(); ++i) accumulate<B>(lights.directional(i), sh);
+  for (int i = 0; i < lights.pointCount(); ++i) accumulate<B>(lights.point(i), p, sh);
+  for (int i = 0; i < lights.spotCount(); ++i) accumulate<B>(lights.spot(i), p, sh);
+  for (int i = 0; i < lights.sphereCount(); ++i) accumulate<B>(lights.sphere(i), p, sh);
+  return sh;
+}
+
+template <int B>
+ProjectionWithGradient<B> projectWithGradient(const DirectionalLight& light, Vec3) noexcept {
+  ProjectionWithGradient<B> out;
+  accumulate<B>(light, out.value);
+  return out;
+}
+
+template <int B>
+ProjectionWithGradient<B> projectWithGradient(const PointLight& light, Vec3 p) noexcept {
+  ProjectionWithGradient<B> out;
+  accumulate<B>(light, p, out);
+  return out;
+}
+
+template <int B>
+ProjectionWithGradient<B> projectWithGradient(const SpotLight& light, Vec3 p) noexcept {
+  ProjectionWithGradient<B> out;
+  accumulate<B>(light, p, out);
+  return out;
+}
+
+template <int B>
+ProjectionWithGradient<B> projectWithGradient(const SphereLight& light, Vec3 p) noexcept {
+  ProjectionWithGradient<B> out;
+  accumulate<B>(light, p, out);
+  return out;
+}
+
+template <int B>
+ProjectionWithGradient<B> projectWithGradient(const LightSet& lights, Vec3 p) noexcept {
+  ProjectionWithGradient<B> out;
+  for (int i = 0; i < lights.directionalCount(); ++i) accumulate<B>(lights.directional(i), out.value);
+  for (int i = 0; i < lights.pointCount(); ++i) accumulate<B>(lights.point(i), p, out);
+  for (int i = 0; i < lights.spotCount(); ++i) accumulate<B>(lights.spot(i), p, out);
+  for (int i = 0; i < lights.sphereCount(); ++i) accumulate<B>(lights.sphere(i), p, out);
+  return out;
+}
+
+#define RIGEL_INSTANTIATE_FOR(B, Light)                           \
+  template RadianceSH<B> project<B>(const Light&, Vec3) noexcept; \
+  template ProjectionWithGradient<B> projectWithGradient<B>(const Light&, Vec3) noexcept;
+#define RIGEL_INSTANTIATE(B)                 \
+  RIGEL_INSTANTIATE_FOR(B, DirectionalLight) \
+  RIGEL_INSTANTIATE_FOR(B, PointLight)       \
+  RIGEL_INSTANTIATE_FOR(B, SpotLight)        \
+  RIGEL_INSTANTIATE_FOR(B, SphereLight)      \
+  RIGEL_INSTANTIATE_FOR(B, LightSet)
+
+RIGEL_INSTANTIATE(2)
+RIGEL_INSTANTIATE(3)
+RIGEL_INSTANTIATE(4)
+RIGEL_INSTANTIATE(5)
+
+}  // namespace rigel
