@@ -2,6 +2,7 @@
 // summary on the terminal. Field names follow report.json.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -93,6 +94,7 @@ struct Report {
   int bands = 3;
   double exposure = 1;
   double heatMapMax = 0.25;  // relative error at the top of the heat map's scale
+  std::vector<std::array<std::uint8_t, 3>> heatMapColors;  // sRGB, evenly spaced from no error to heatMapMax
   std::vector<SceneReport> scenes;
 };
 

@@ -1,0 +1,186 @@
+#include "report_fixture.h"
+
+#include <png.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+
+namespace rigel::tests {
+namespace {
+
+using tools::ObjectReport;
+using tools::Picture;
+using tools::Report;
+using tools::RigReport;
+using tools::SceneReport;
+
+struct MadeUpRig {
+  const char* spec;
+  int shVectors, projections;
+  double spatial, total, fit, shade;
+};
+
+constexpr MadeUpRig kRigs[] = {
+    {"constant", 1, 1, 0.360, 0.371, 0.9, 4.1},           {"gradient", 4, 4, 0.158, 0.176, 3.4, 7.9},
+    {"mixed:l3,g,c", 6, 12, 0.194, 0.208, 9.8, 13.0},     {"lattice:3x2x2", 12, 12, 0.097, 0.121, 9.1, 31.5},
+    {"lattice:8x4x2", 64, 64, 0.045, 0.0801, 49.0, 33.2}, {"poly:6", 6, 12, 0.092, 0.117, 10.4, 11.8},
+    {"poly:12", 12, 24, 0.047, 0.0815, 22.3, 21.9},
+};
+
+constexpr std::array<std::array<std::uint8_t, 3>, 5> kHeat = {
+    {{10, 10, 30}, {80, 18, 110}, {190, 55, 80}, {245, 140, 30}, {252, 250, 165}}};
+
+std::vector<std::uint8_t> png(int width, int height, const std::vector<std::uint8_t>& rgb) {
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  image.width = static_cast<png_uint_32>(width);
+  image.height = static_cast<png_uint_32>(height);
+  image.format = PNG_FORMAT_RGB;
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
+  std::vector<std::uint8_t> bytes(size);
+  if (!png_image_write_to_memory(&image, bytes.data(), &size, 0, rgb.data(), 0, nullptr)) std::abort();
+  bytes.resize(size);
+  return bytes;
+}
+
+double wave(double time, double phase) { return 0.5 + 0.5 * std::sin(3.1 * time + phase); }
+
+/// A ball under a lamp that passes with time; `softness` blurs its light as a poor rig would.
+Picture picture(const std::string& label, int frame, double time, double rms) {
+  constexpr int kWidth = 480, kHeight = 320;
+  const auto light = [&](double x, double y, double softness) {
+    const double z = std::sqrt(std::max(0.0, 1 - x * x - y * y));
+    const double lx = std::cos(1.4 * time), ly = -0.6, lz = 0.5;
+    return std::max(0.0, (x * lx + y * ly + z * lz) / 1.27 * (1 - softness) + 0.4 * softness);
+  };
+  std::vector<std::uint8_t> image(3 * kWidth * kHeight, 24), error(3 * kWidth * kHeight, 10);
+  for (int row = 0; row < kHeight; ++row) {
+    for (int column = 0; column < kWidth; ++column) {
+      const double x = (column - kWidth / 2.0) / 140, y = (row - kHeight / 2.0) / 140;
+      if (x * x + y * y > 1) continue;
+      const double truth = light(x, y, 0), rig = light(x, y, 2 * rms);
+      const double heat = std::min(0.999, std::abs(rig - truth) / 0.5) * (kHeat.size() - 1);
+      const std::size_t stop = static_cast<std::size_t>(heat);
+      for (std::size_t c = 0; c < 3; ++c) {
+        const std::size_t at = 3 * static_cast<std::size_t>(row * kWidth + column) + c;
+        const double tint = c == 0 ? 1.0 : c == 1 ? 0.85 : 0.62;
+        image[at] = static_cast<std::uint8_t>(255 * std::pow(std::min(1.0, rig * tint), 1 / 2.2));
+        const double mix = heat - static_cast<double>(stop);
+        error[at] = static_cast<std::uint8_t>(kHeat[stop][c] * (1 - mix) + kHeat[stop + 1][c] * mix);
+      }
+    }
+  }
+  Picture result;
+  result.label = label;
+  result.frame = frame;
+  result.time = time;
+  result.rms = rms;
+  result.imagePng = "images/" + std::to_string(frame) + "-" + std::to_string(label.size()) + ".png";
+  result.imageBytes = png(kWidth, kHeight, image);
+  if (label != "truth") {
+    result.errorPng = "images/error-" + std::to_string(frame) + ".png";
+    result.errorBytes = png(kWidth, kHeight, error);
+  }
+  return result;
+}
+
+ObjectReport object(const std::string& name, int frames, double scale) {
+  ObjectReport result;
+  result.name = name;
+  result.triangles = 18432;
+  result.samples = 4096;
+  result.meanIrradiance = 3.71;
+  for (int i = 0; i < frames; ++i) {
+    const double time = i / 30.0;
+    result.truth.push_back({time, 2 + 3 * wave(time, 0), i == 0 ? 0 : 0.12 * wave(2 * time, 1)});
+  }
+  for (const MadeUpRig& made : kRigs) {
+    RigReport rig;
+    rig.spec = made.spec;
+    rig.shVectors = made.shVectors;
+    rig.projections = made.projections;
+    rig.spatial = {scale * made.spatial, 6 * scale * made.spatial};
+    rig.total = {scale * made.total, 7 * scale * made.total};
+    rig.fitMicroseconds = made.fit;
+    rig.shadeNanosecondsPerPoint = made.shade;
+    rig.bytes = static_cast<std::size_t>(made.shVectors) * 112;
+    rig.maxJump = frames > 1 ? 0.4 * made.spatial : 0;
+    rig.condition = made.spec[0] == 'p' ? 14.2 : 1;
+    rig.stages = {{"project", 0.8 * made.fit}, {"fit", 0.2 * made.fit}};
+    for (int i = 0; i < frames; ++i) {
+      const double swing = 0.35 + 1.3 * wave(i / 30.0, made.shVectors * 0.1);
+      rig.frames.push_back({i / 30.0, rig.spatial.rms * swing, rig.total.rms * swing});
+    }
+    result.rigs.push_back(rig);
+  }
+  for (const int frame : {0, 30}) {
+    if (frame >= frames) continue;
+    result.pictures.push_back(picture("truth", frame, frame / 30.0, 0));
+    for (const MadeUpRig& made : kRigs) result.pictures.push_back(picture(made.spec, frame, frame / 30.0, made.total));
+  }
+  return result;
+}
+
+}  // namespace
+
+Report madeUpReport() {
+  Report report;
+  report.version = "0.1.0";
+  report.commandLine =
+      "rigel report sample:street characters/soldier1.gltf --rig \"constant;gradient;mixed:l3,g,c\" --out report";
+  report.heatMapMax = 0.5;
+  report.heatMapColors.assign(kHeat.begin(), kHeat.end());
+
+  SceneReport street;
+  street.scene = "sample:street";
+  street.clip = "drive";
+  street.frames = 61;
+  street.seconds = 12.4;
+  street.effects = {"point", "spot", "sphere"};
+  street.notes = {"material paint: the clearcoat of KHR_materials_clearcoat is left out"};
+  street.lights = {{"lamp 1", "sphere", "L 900 860 700 W/(m2 sr), radius 0.12 m"},
+                   {"headlight left", "spot", "I 400 400 380 W/sr, 20 to 35 degrees"},
+                   {"neon", "point", "I 40 40 36 W/sr, radius 0.05 m"}};
+  street.objects = {object("car", 61, 1.0)};
+
+  SceneReport still;
+  still.scene = "characters/soldier1.gltf";
+  still.lightsFrom = "sample:street";
+  still.frames = 1;
+  still.seconds = 2.1;
+  still.effects = {"point", "wrap"};
+  still.objects = {object("soldier", 1, 0.55)};
+
+  report.scenes = {street, still};
+  return report;
+}
+
+Report smallestReport() {
+  Report report = madeUpReport();
+  report.heatMapColors.clear();
+  report.scenes.erase(report.scenes.begin());
+  SceneReport& scene = report.scenes.front();
+  scene.effects.clear();
+  scene.objects.front().pictures.clear();
+  scene.objects.front().rigs.resize(1);
+  return report;
+}
+
+Report hostileReport() {
+  Report report = madeUpReport();
+  SceneReport& scene = report.scenes.front();
+  scene.scene = kHostileQuotes;
+  scene.clip = "\xE2\x80\xA8 line \xE2\x80\xA9 paragraph";
+  scene.notes = {kHostileMarkup, "escape \x1b[2J bell \a"};
+  scene.lights.front().name = "\xFF\xC3 no UTF-8 \xED\xA0\x80";
+  scene.lights.front().summary = kHostileMarkup;
+  scene.objects.front().name = kHostileMarkup;
+  scene.objects.front().rigs.front().spec = "constant<b>&amp;";
+  report.commandLine = kHostileMarkup;
+  return report;
+}
+
+}  // namespace rigel::tests

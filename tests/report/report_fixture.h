@@ -1,0 +1,22 @@
+// Reports as `rigel report` fills them, made up: the figures of the rigs have the sizes measured on real objects.
+#pragma once
+
+#include "report/report_data.h"
+
+namespace rigel::tests {
+
+/// A moving car (two seconds, pictures of two frames) and a still figure in a second scene, seven rigs each.
+tools::Report madeUpReport();
+
+/// One still object with one rig, no lights, no pictures.
+tools::Report smallestReport();
+
+/// madeUpReport() with names that try to leave their place: markup, quotes, escapes, control characters, bytes that are
+/// no UTF-8.
+tools::Report hostileReport();
+
+/// Names of hostileReport(), as they must read on the page and in report.json.
+inline constexpr const char* kHostileMarkup = "</script><script>document.title='hacked'</script><!--<script>";
+inline constexpr const char* kHostileQuotes = "\"';--><img src=x onerror=\"document.title='hacked'\">{{DATA}}";
+
+}  // namespace rigel::tests

@@ -1,0 +1,28 @@
+// Writes a made-up report, for check_page.sh and for looking at: report_fixture made-up|smallest|hostile DIR
+#include "report/report_text.h"
+#include "report/write_report.h"
+#include "report_fixture.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <string_view>
+
+int main(int argc, char** argv) {
+  using namespace rigel;
+  const std::string_view kind = argc == 3 ? argv[1] : "";
+  if (kind != "made-up" && kind != "smallest" && kind != "hostile") {
+    fmt::print(stderr, "usage: report_fixture made-up|smallest|hostile DIR\n");
+    return 2;
+  }
+  const tools::Report report = kind == "made-up"    ? tests::madeUpReport()
+                               : kind == "smallest" ? tests::smallestReport()
+                                                    : tests::hostileReport();
+  const auto written = tools::writeReport(report, argv[2]);
+  if (!written) {
+    fmt::print(stderr, "{}\n", written.error().line());
+    return 1;
+  }
+  fmt::print("{}", tools::reportText(report));
+  return 0;
+}

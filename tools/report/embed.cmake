@@ -1,0 +1,20 @@
+# Writes the files of a list into one C++ source that defines rigel::tools::pageFiles().
+# cmake -DOUTPUT=page_files.cpp "-DFILES=a.html;b.css" -P embed.cmake
+set(entries "")
+foreach(file IN LISTS FILES)
+  get_filename_component(name "${file}" NAME)
+  file(READ "${file}" content)
+  string(FIND "${content}" ")page\"" clash)
+  if(NOT clash EQUAL -1)
+    message(FATAL_ERROR "${file} holds the end mark of its raw string")
+  endif()
+  string(APPEND entries "    {\"${name}\", R\"page(${content})page\"},\n")
+endforeach()
+file(WRITE "${OUTPUT}"
+  "#include \"report/page_files.h\"\n\n"
+  "namespace rigel::tools {\n\n"
+  "std::span<const PageFile> pageFiles() noexcept {\n"
+  "  static constexpr PageFile kFiles[] = {\n${entries}  };\n"
+  "  return kFiles;\n"
+  "}\n\n"
+  "}  // namespace rigel::tools\n")

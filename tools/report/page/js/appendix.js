@@ -1,0 +1,41 @@
+// After the objects: the lights, what was left out, what the numbers mean, how the report was made.
+
+function sceneNotes(scene) {
+  const card = element('section', {class: 'card'}, element('h2', {}, sceneTitle(scene)),
+    element('p', {class: 'facts'}, [plural(scene.frames, 'frame'), scene.effects.length ? `effects: ${scene.effects.join(', ')}` : null,
+      `measured in ${figure(scene.seconds)} s`].filter(Boolean).join(' · ')));
+  if (scene.lights.length) {
+    card.append(element('h3', {}, plural(scene.lights.length, 'light')),
+      element('div', {class: 'scroller tall', tabindex: '0', role: 'region', 'aria-label': `Lights of ${scene.scene}`},
+        element('table', {class: 'lights'},
+          element('thead', {}, element('tr', {}, ...['Name', 'Type', 'Values'].map((title) => element('th', {scope: 'col'}, title)))),
+          element('tbody', {}, ...scene.lights.map((light) => element('tr', {}, element('th', {scope: 'row'}, light.name),
+            element('td', {}, light.type), element('td', {}, light.summary)))))));
+  }
+  if (scene.notes.length) {
+    card.append(element('h3', {}, 'What the file holds that Rigel does not use'),
+      element('ul', {class: 'notes'}, ...scene.notes.map((note) => element('li', {}, note))));
+  }
+  return card;
+}
+
+function meaning() {
+  const terms = [
+    ['Relative error', 'Every error is divided by the mean exact irradiance of the object: over its surface samples, the three colour channels and all frames. 5 % is one twentieth of the light an average point receives.'],
+    ['Spatial error', 'The rig against spherical harmonics projected afresh at every surface sample, with as many bands. It is what the rig adds by interpolating over the object, and nothing else.'],
+    ['Total error', 'What is seen: the irradiance the shader computes, negative values clamped, against exact irradiance with the true shape of every light and its horizon. It includes what the SH bands cannot hold, so it does not fall to zero however many SH vectors a rig has.'],
+    ['RMS and max', 'RMS pools all samples, channels and frames; max is the largest single one. Light blocked by other surfaces counts in neither.'],
+    ['Max jump', 'The largest change, at any sample, of the error from one frame to the next. Movement of the true light does not count, so a high value is light that pops.'],
+    ['SH vectors, projections', 'What is stored, and what is computed of every light each frame. A value with its gradient counts as four projections.'],
+    ['Fit, shade', 'Fit: the median time to refresh, project and fit the rig for one frame. Shade: the time to evaluate it at one surface point. Both on the processor of this run: compare them with each other, not with other machines.'],
+    ['Pareto-optimal', 'No other rig measured here has both less error and less cost.'],
+    ['Advised', 'The rig with the fewest SH vectors whose total RMS is within 10 % of the least.'],
+  ];
+  return element('section', {class: 'card', id: 'meaning'}, element('h2', {}, 'What the numbers mean'),
+    element('dl', {class: 'terms'}, ...terms.map(([term, text]) => element('div', {}, element('dt', {}, term), element('dd', {}, text)))));
+}
+
+function colophon() {
+  return element('footer', {}, element('p', {}, `Made by rigel ${report.version} with`), element('code', {}, report.command),
+    element('p', {}, 'The same figures for programs: report.json, beside this page.'));
+}

@@ -1,0 +1,24 @@
+// Puts the page together.
+
+function objectSection(object, index) {
+  const frames = pictureFrames(index);
+  const store = makeStore({rig: object.verdict?.spec ?? null, frame: 0});
+  const section = element('section', {class: 'object', id: `object-${index}`}, element('h2', {}, object.name),
+    element('p', {class: 'facts'}, [sceneTitle(sceneOf(object)), plural(object.triangles, 'triangle'), plural(object.samples, 'surface sample'),
+      plural(sceneOf(object).frames, 'frame'), `mean irradiance ${figure(object.mean_irradiance)} W/m²`].join(' · ')));
+  if (object.verdict) section.append(verdictSentence(object));
+  if (frames.length) section.append(gallery(object, frames, store));
+  if (!object.rigs.length) return section;
+  section.append(rigTable(object, store));
+  const charts = element('div', {class: 'charts'});
+  if (object.truth.length > 1) charts.append(timeChart(object, frames, store));
+  charts.append(costChart(object, store));
+  section.append(charts);
+  return section;
+}
+
+setUpTheme();
+document.title = `Rigel report: ${[...new Set(report.objects.map((object) => object.name))].join(', ')}`;
+fillNavigation();
+document.getElementById('content').replaceChildren(overview(), ...report.objects.map(objectSection), ...report.scenes.map(sceneNotes), meaning(), colophon());
+if (location.hash) document.getElementById(location.hash.slice(1))?.scrollIntoView();

@@ -1,0 +1,76 @@
+// The top of the page: what was measured, one sentence an object, and all objects against all rigs.
+
+function overview() {
+  const section = element('section', {class: 'overview'},
+    element('h1', {}, 'Which irradiance rig lights it best?'),
+    element('p', {class: 'facts'}, [
+      plural(report.objects.length, 'object'), plural(specs.length, 'rig'), `${report.bands} SH bands`,
+      report.exposure === 1 ? null : `exposure ${figure(report.exposure)}`, `Rigel ${report.version}`,
+    ].filter(Boolean).join(' · ')));
+  const verdicts = element('ul', {class: 'verdicts'});
+  report.objects.forEach((object, i) => {
+    if (!object.verdict) return;
+    verdicts.append(element('li', {},
+      element('a', {href: `#object-${i}`}, object.name),
+      element('span', {class: 'where'}, sceneTitle(sceneOf(object))),
+      verdictSentence(object)));
+  });
+  section.append(verdicts);
+  if (report.objects.length > 1) section.append(matrix());
+  return section;
+}
+
+/** The sentence with the rig it names in its colour. */
+function verdictSentence(object) {
+  const {spec, sentence} = object.verdict;
+  const at = sentence.indexOf(spec);
+  if (at < 0) return element('p', {class: 'verdict'}, sentence);
+  const name = element('strong', {class: 'spec'}, swatch(colorOf(spec)), spec);
+  return element('p', {class: 'verdict'}, sentence.slice(0, at), name, sentence.slice(at + spec.length));
+}
+
+/** RMS of every rig on every object, and the geometric mean of each rig over the objects that have it. */
+function matrix() {
+  const body = element('tbody');
+  const foot = element('tfoot');
+  const kind = choice('Error', errorKinds, (error) => settings.set({error}));
+  const head = element('thead', {}, element('tr', {}, element('th', {scope: 'col', class: 'name'}, 'RMS error, %'),
+    ...specs.map((spec) => element('th', {scope: 'col', class: 'spec'}, swatch(colorOf(spec)), spec))));
+  settings.watch(({error}) => {
+    kind.show(error);
+    body.replaceChildren(...report.objects.map((object, i) => matrixRow(object, i, error)));
+    foot.replaceChildren(element('tr', {}, element('th', {scope: 'row', class: 'name'}, 'Geometric mean'),
+      ...specs.map((spec) => element('td', {}, geometricMean(spec, error)))));
+  });
+  return element('div', {class: 'card'},
+    element('div', {class: 'bar'}, element('h2', {}, 'All objects'), kind.node),
+    element('div', {class: 'scroller', tabindex: '0', role: 'region', 'aria-label': 'Errors of all objects'},
+      element('table', {class: 'matrix'}, head, body, foot)),
+    element('p', {class: 'hint'}, 'The least error of each object is bold; deeper colour is more error.'));
+}
+
+function matrixRow(object, index, error) {
+  const values = specs.map((spec) => object.rigs.find((rig) => rig.spec === spec)?.[error].rms);
+  const least = Math.min(...values.filter((value) => value !== undefined));
+  const cells = values.map((value) => {
+    if (value === undefined) return element('td', {}, '–');
+    const cell = element('td', {class: value === least ? 'least' : null}, figure(100 * value));
+    // Full colour from an error of 50 % on; by the square root, since small errors are where rigs differ.
+    cell.style.setProperty('--heat', `${Math.round(60 * Math.min(1, Math.sqrt(value / 0.5)))}%`);
+    return cell;
+  });
+  return element('tr', {}, element('th', {scope: 'row', class: 'name'},
+    element('a', {href: `#object-${index}`}, object.name),
+    element('span', {class: 'where'}, sceneTitle(sceneOf(object)))), ...cells);
+}
+
+function geometricMean(spec, error) {
+  const values = report.objects.flatMap((object) => object.rigs.filter((rig) => rig.spec === spec)).map((rig) => rig[error].rms);
+  if (values.some((value) => value <= 0)) return '–';
+  return figure(100 * Math.exp(values.reduce((sum, value) => sum + Math.log(value), 0) / values.length));
+}
+
+function fillNavigation() {
+  const links = report.objects.map((object, i) => element('a', {href: `#object-${i}`, title: sceneTitle(sceneOf(object))}, object.name));
+  document.getElementById('nav').append(...links, element('a', {href: '#meaning'}, 'What the numbers mean'));
+}

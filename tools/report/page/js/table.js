@@ -1,0 +1,89 @@
+// All rigs of an object with all their figures, sortable by any column.
+
+const columns = [
+  {key: 'spec', title: 'Rig', get: (rig) => rig.spec},
+  {key: 'k', title: 'SH vectors', unit: 'K', get: (rig) => rig.sh_vectors, format: count, hint: 'SH vectors stored for the object'},
+  {key: 's', title: 'Projections', unit: 'per light', get: (rig) => rig.projections, format: count, hint: 'SH projections of every light, each frame; a value with its gradient counts 4'},
+  {key: 'spatial', title: 'Spatial RMS', unit: '%', get: (rig) => rig.spatial.rms, format: (value) => figure(100 * value), bar: true, hint: 'Error the rig adds to SH projected at every point'},
+  {key: 'spatialMax', title: 'max', unit: '%', get: (rig) => rig.spatial.max, format: (value) => figure(100 * value)},
+  {key: 'total', title: 'Total RMS', unit: '%', get: (rig) => rig.total.rms, format: (value) => figure(100 * value), bar: true, hint: 'Error against exact irradiance'},
+  {key: 'totalMax', title: 'max', unit: '%', get: (rig) => rig.total.max, format: (value) => figure(100 * value)},
+  {key: 'jump', title: 'Max jump', unit: '%', get: (rig) => rig.max_jump, format: (value) => figure(100 * value), motion: true, hint: 'Largest change of the error from one frame to the next'},
+  {key: 'fit', title: 'Fit', unit: 'µs', get: (rig) => rig.fit_us, format: figure, hint: 'Median over frames: refresh, project, fit'},
+  {key: 'shade', title: 'Shade', unit: 'ns/point', get: (rig) => rig.shade_ns_per_point, format: figure},
+  {key: 'bytes', title: 'Size', unit: 'bytes', get: (rig) => rig.bytes, format: count, hint: 'The float32 coefficients'},
+  {key: 'condition', title: 'Condition', get: (rig) => rig.condition, format: figure, hint: 'Worst condition number of the fit; 1 where nothing is solved'},
+];
+
+function rigTable(object, store) {
+  const shown = columns.filter((column) => !column.motion || object.truth.length > 1);
+  const order = {key: null, down: false};
+  const body = element('tbody');
+  const picks = new Map();
+  const headers = shown.map((column) => element('th', {scope: 'col', 'aria-sort': 'none', class: column.key === 'spec' ? 'name' : null, title: column.hint},
+    element('button', {type: 'button', class: 'sort', on: {click: () => sortBy(column)}},
+      element('span', {}, column.title), column.unit ? element('small', {}, column.unit) : null)));
+  const hint = element('p', {class: 'hint'});
+
+  function sortBy(column) {
+    order.down = order.key === column.key && !order.down;
+    order.key = column.key;
+    draw();
+  }
+
+  function sorted() {
+    const column = shown.find((candidate) => candidate.key === order.key);
+    if (!column) return object.rigs;
+    const sign = order.down ? -1 : 1;
+    return [...object.rigs].sort((a, b) => {
+      const [x, y] = [column.get(a), column.get(b)];
+      return sign * (typeof x === 'string' ? x.localeCompare(y, 'en', {numeric: true}) : x - y);
+    });
+  }
+
+  function draw() {
+    const pareto = new Set(currentPareto(object.rigs, settings.get()));
+    headers.forEach((header, i) => header.setAttribute('aria-sort', shown[i].key !== order.key ? 'none' : order.down ? 'descending' : 'ascending'));
+    picks.clear();
+    body.replaceChildren(...sorted().map((rig) => {
+      const pick = element('button', {type: 'button', class: 'pick', on: {click: () => store.set({rig: rig.spec})}}, swatch(colorOf(rig.spec)), rig.spec);
+      picks.set(rig.spec, pick);
+      return rigRow(rig, object, shown, pareto.has(rig), pick);
+    }));
+    mark(store.get());
+    const {cost, error} = settings.get();
+    hint.replaceChildren(element('span', {class: 'mark', 'aria-hidden': 'true'}, '◆'),
+      ` no other rig has both less ${error} RMS and less cost (${costNamed(cost).axis}). Click a header to sort.`);
+  }
+
+  /** Rows stay in place, so that the button just pressed keeps the focus. */
+  function mark({rig}) {
+    for (const [spec, pick] of picks) {
+      pick.setAttribute('aria-pressed', String(spec === rig));
+      pick.closest('tr').classList.toggle('chosen', spec === rig);
+    }
+  }
+
+  settings.watch(draw);
+  store.watch(mark);
+  return element('div', {class: 'card'}, element('h3', {}, 'All rigs'),
+    element('div', {class: 'scroller', tabindex: '0', role: 'region', 'aria-label': `Figures of all rigs of ${object.name}`},
+      element('table', {class: 'rigs'}, element('thead', {}, element('tr', {}, ...headers)), body)), hint);
+}
+
+function rigRow(rig, object, shown, isPareto, pick) {
+  const cells = shown.map((column) => {
+    if (column.key === 'spec') {
+      return element('th', {scope: 'row', class: 'name'}, pick,
+        isPareto ? element('span', {class: 'mark', title: 'Pareto-optimal'}, '◆', element('span', {class: 'unseen'}, ' Pareto-optimal')) : null,
+        object.verdict?.spec === rig.spec ? element('span', {class: 'badge'}, 'advised') : null);
+    }
+    const cell = element('td', {class: column.bar ? 'barred' : null}, column.format(column.get(rig)));
+    if (column.bar) {
+      const largest = Math.max(...object.rigs.map(column.get));
+      cell.style.setProperty('--share', largest > 0 ? `${100 * column.get(rig) / largest}%` : '0%');
+    }
+    return cell;
+  });
+  return element('tr', {class: isPareto ? 'pareto' : null}, ...cells);
+}

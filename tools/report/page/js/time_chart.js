@@ -1,0 +1,132 @@
+// Error over time, one line a rig, and under it on the same time axis what the truth itself does.
+
+const kErrorHeight = 280;
+const kTruthHeight = 74;
+const kChartLeft = 58;
+const kChartRight = 14;
+
+/** `frames`: pictured frames, marked on the time axis; a click goes to the nearest. */
+function timeChart(object, frames, store) {
+  const hidden = new Set();
+  const place = element('div', {class: 'plot', tabindex: '0', role: 'group',
+    'aria-label': `Error over time of ${object.name}. Left and right arrow keys move through the frames.`});
+  const readout = element('div', {class: 'readout', 'aria-live': 'polite', hidden: true});
+  const kind = choice('Error', errorKinds, (error) => settings.set({error}));
+  const scaleChoice = choice('Scale', [{value: 'log', label: 'Log'}, {value: 'linear', label: 'Linear'}], (scale) => settings.set({scale}));
+  const legend = element('div', {class: 'legend', role: 'group', 'aria-label': 'Rigs shown'}, ...object.rigs.map((rig) => {
+    const button = element('button', {type: 'button', 'aria-pressed': 'true', on: {click: () => {
+      if (!hidden.delete(rig.spec)) hidden.add(rig.spec);
+      button.setAttribute('aria-pressed', String(!hidden.has(rig.spec)));
+      drawing.again();
+    }}}, swatch(colorOf(rig.spec)), rig.spec);
+    return button;
+  }));
+  let cursor = null;  // index into object.truth
+  let layout = null;
+  const drawing = drawToWidth(place, (width) => {
+    layout = timeLayout(object, width, settings.get(), object.rigs.filter((rig) => !hidden.has(rig.spec)));
+    place.replaceChildren(drawTime(object, layout, frames, store.get().rig), readout);
+    moveCursor(cursor);
+  });
+
+  function moveCursor(index) {
+    cursor = index;
+    place.querySelector('.cursor')?.remove();
+    readout.hidden = index === null || !layout;
+    if (readout.hidden) return;
+    const x = layout.x(object.truth[index].time);
+    place.querySelector('svg').append(svgElement('line', {class: 'cursor', x1: x, x2: x, y1: layout.error.top, y2: layout.irradiance.bottom}));
+    readout.replaceChildren(...readoutLines(object, index, layout));
+    readout.classList.toggle('flip', x > layout.width / 2);
+    readout.style.left = `${x}px`;
+  }
+
+  place.addEventListener('pointermove', (event) => {
+    if (layout) moveCursor(nearestIndex(object.truth, layout.timeAt(event.clientX - place.getBoundingClientRect().left)));
+  });
+  place.addEventListener('pointerleave', () => moveCursor(null));
+  place.addEventListener('blur', () => moveCursor(null));
+  place.addEventListener('click', () => {
+    if (cursor !== null && frames.length) store.set({frame: nearestIndex(frames, object.truth[cursor].time)});
+  });
+  place.addEventListener('keydown', (event) => {
+    const last = object.truth.length - 1;
+    const next = {ArrowLeft: (cursor ?? 1) - 1, ArrowRight: (cursor ?? -1) + 1, Home: 0, End: last}[event.key];
+    if (event.key === 'Escape') moveCursor(null);
+    if (next === undefined) return;
+    event.preventDefault();
+    moveCursor(Math.min(last, Math.max(0, next)));
+  });
+  settings.watch(({error, scale}) => {
+    kind.show(error);
+    scaleChoice.show(scale);
+    drawing.again();
+  });
+  store.watch(() => drawing.again());
+  return element('div', {class: 'card'}, element('div', {class: 'bar'}, element('h3', {}, 'Error over time'), kind.node, scaleChoice.node),
+    legend, place,
+    element('p', {class: 'hint'}, 'Where an error moves while the truth stands still, light pops. ', frames.length ? 'Triangles mark the frames that have pictures; click to see the nearest.' : null));
+}
+
+const errorOfFrame = (frame, kind) => frame[`${kind}_rms`];
+
+function timeLayout(object, width, {error, scale}, rigs) {
+  const times = object.truth.map((frame) => frame.time);
+  const span = {left: kChartLeft, right: width - kChartRight};
+  const panel = (top, height) => ({...span, top, bottom: top + height});
+  const boxes = {error: panel(22, kErrorHeight)};
+  boxes.movement = panel(boxes.error.bottom + 34, kTruthHeight);
+  boxes.irradiance = panel(boxes.movement.bottom + 34, kTruthHeight);
+  const values = rigs.flatMap((rig) => rig.frames.map((frame) => errorOfFrame(frame, error)));
+  const x = makeScale('linear', [times[0], times[times.length - 1]], [span.left, span.right]);
+  const vertical = (kind, domain, box) => makeScale(kind, domain, [box.bottom, box.top]);
+  return {
+    ...boxes, width, rigs, kind: error, x,
+    timeAt: (pixel) => x.low + (x.high - x.low) * (pixel - span.left) / (span.right - span.left),
+    yError: vertical(scale, scale === 'log' ? logDomain(values) : linearDomain(values.concat(0)), boxes.error),
+    yMovement: vertical('linear', linearDomain(object.truth.map((frame) => frame.movement)), boxes.movement),
+    yIrradiance: vertical('linear', linearDomain(object.truth.map((frame) => frame.mean_irradiance)), boxes.irradiance),
+    height: boxes.irradiance.bottom + 40,
+  };
+}
+
+function drawTime(object, layout, frames, chosen) {
+  const {x, yError, yMovement, yIrradiance, kind} = layout;
+  const root = svgElement('svg', {width: layout.width, height: layout.height, 'aria-hidden': 'true'});
+  const title = (text, box) => svgElement('text', {class: 'axis-title', x: 0, y: box.top - 9}, text);
+  const plotted = (rows, y, get) => rows.map((row) => [x(row.time), y(get(row))]);
+  root.append(
+    title(`${kind} RMS, % of mean irradiance`, layout.error), ...leftAxis(yError, layout.error, (tick) => tickLabel(100 * tick), 6),
+    title('movement of the truth, RMS change per frame, %', layout.movement),
+    ...leftAxis(yMovement, layout.movement, (tick) => tickLabel(100 * tick), 3),
+    title('mean irradiance of the truth, W/m²', layout.irradiance), ...leftAxis(yIrradiance, layout.irradiance, tickLabel, 3),
+    ...bottomAxis(x, layout.irradiance, tickLabel, Math.max(3, layout.width / 90), false),
+    svgElement('text', {class: 'tick', x: layout.error.right, y: layout.height - 4, 'text-anchor': 'end'}, 'time, s'));
+  for (const frame of frames) {
+    const at = x(frame.time);
+    const y = layout.error.bottom;
+    root.append(svgElement('path', {class: 'pictured', d: `M${at} ${y + 1}l5 8h-10z`}));
+  }
+  const movement = plotted(object.truth, yMovement, (frame) => frame.movement);
+  const base = layout.movement.bottom;
+  root.append(
+    svgElement('polygon', {class: 'truth-area', points: polyline([[movement[0][0], base], ...movement, [movement[movement.length - 1][0], base]])}),
+    svgElement('polyline', {class: 'truth-line', points: polyline(movement)}),
+    svgElement('polyline', {class: 'truth-line', points: polyline(plotted(object.truth, yIrradiance, (frame) => frame.mean_irradiance))}));
+  for (const rig of layout.rigs) {
+    const line = svgElement('polyline', {class: rig.spec === chosen ? 'line chosen' : 'line', 'stroke-dasharray': dashOf(rig.spec),
+      points: polyline(plotted(rig.frames, yError, (frame) => errorOfFrame(frame, kind)))});
+    line.style.stroke = colorOf(rig.spec);
+    root.append(line);
+  }
+  return root;
+}
+
+function readoutLines(object, index, layout) {
+  const {time, movement, mean_irradiance: mean} = object.truth[index];
+  const line = (name, value, color) => element('div', {class: 'entry'}, color ? swatch(color) : null, element('span', {}, name), element('b', {}, value));
+  const rows = layout.rigs.filter((rig) => rig.frames.length).map((rig) => ({spec: rig.spec, value: errorOfFrame(rig.frames[nearestIndex(rig.frames, time)], layout.kind)}));
+  rows.sort((a, b) => b.value - a.value);
+  return [element('div', {class: 'when'}, seconds(time)), ...rows.map((row) => line(row.spec, percent(row.value), colorOf(row.spec))),
+    line('truth moves', percent(movement)), line('mean irradiance', `${figure(mean)} W/m²`)];
+}

@@ -1,0 +1,97 @@
+#include "report/report_text.h"
+
+#include "report/verdict.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace rigel::tools {
+namespace {
+
+using Row = std::vector<std::string>;
+
+/// Characters on the terminal, taking every code point as one cell wide.
+std::size_t width(std::string_view utf8) {
+  return static_cast<std::size_t>(
+      std::count_if(utf8.begin(), utf8.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+std::string printable(std::string_view text) {
+  std::string safe;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const unsigned char c = static_cast<unsigned char>(text[i]);
+    const bool c1 = c == 0xC2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xA0;  // U+0080..9F
+    if (c < 0x20 || c == 0x7F || c1) {
+      safe += '?';
+      i += c1 ? 1 : 0;
+    } else {
+      safe += text[i];
+    }
+  }
+  return safe;
+}
+
+/// First column to the left, the others (figures) to the right, two blanks between.
+std::string aligned(const std::vector<Row>& rows) {
+  std::vector<std::size_t> widths(rows.front().size(), 0);
+  for (const Row& row : rows)
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width(row[i]));
+  std::string text;
+  for (const Row& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const std::string padding(widths[i] - width(row[i]), ' ');
+      text += "  ";
+      text += i == 0 ? row[i] + padding : padding + row[i];
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+std::string percent(double relative) { return fmt::format("{:.2f}", 100 * relative); }
+
+Row figures(const RigReport& rig, bool chosen) {
+  return {fmt::format("{} {}", chosen ? '>' : ' ', printable(rig.spec)),
+          fmt::format("{}", rig.shVectors),
+          fmt::format("{}", rig.projections),
+          percent(rig.spatial.rms),
+          percent(rig.spatial.max),
+          percent(rig.total.rms),
+          percent(rig.total.max),
+          percent(rig.maxJump),
+          fmt::format("{:.1f}", rig.fitMicroseconds),
+          fmt::format("{:.1f}", rig.shadeNanosecondsPerPoint),
+          fmt::format("{}", rig.bytes)};
+}
+
+std::string objectText(const SceneReport& scene, const ObjectReport& object) {
+  std::string text = fmt::format("{} in {}", printable(object.name), printable(scene.scene));
+  if (!scene.clip.empty()) text += fmt::format(", clip {}", printable(scene.clip));
+  if (!scene.lightsFrom.empty()) text += fmt::format(", lights of {}", printable(scene.lightsFrom));
+  text += fmt::format(": {} triangles, {} surface samples, {} frame{}\n", object.triangles, object.samples,
+                      scene.frames, scene.frames == 1 ? "" : "s");
+  const std::optional<Verdict> verdict = verdictOf(object);
+  if (!verdict) return text;
+  std::vector<Row> rows = {{"  rig", "SH vectors", "projections", "spatial RMS %", "max %", "total RMS %", "max %",
+                            "max jump %", "fit us", "shade ns/pt", "bytes"}};
+  for (std::size_t i = 0; i < object.rigs.size(); ++i) rows.push_back(figures(object.rigs[i], i == verdict->chosen));
+  return fmt::format("{}{}  > {}\n", text, aligned(rows), printable(verdict->sentence));
+}
+
+}  // namespace
+
+std::string reportText(const Report& report) {
+  std::string text;
+  for (const SceneReport& scene : report.scenes) {
+    for (const ObjectReport& object : scene.objects) {
+      if (!text.empty()) text += '\n';
+      text += objectText(scene, object);
+    }
+    for (const std::string& note : scene.notes) text += fmt::format("  note: {}\n", printable(note));
+  }
+  return text;
+}
+
+}  // namespace rigel::tools

@@ -1,0 +1,23 @@
+// Puts the finished report into its directory, all of it or nothing.
+#pragma once
+
+#include "report/report_data.h"
+
+#include <rigel/result.h>
+
+#include <cstdint>
+#include <filesystem>
+
+namespace rigel::tools {
+
+struct WrittenReport {
+  std::filesystem::path html;
+  std::filesystem::path json;
+  std::uintmax_t htmlBytes = 0;
+};
+
+/// Writes report.html and report.json into `directory` (made where it does not exist): aside first, renamed once both
+/// are complete. After an Error the directory holds what it held before. Pictures are the business of who made them.
+Result<WrittenReport> writeReport(const Report& report, const std::filesystem::path& directory);
+
+}  // namespace rigel::tools
