@@ -1,0 +1,29 @@
+// The file as such: container, JSON, buffers. Nothing of glTF's meaning yet.
+#pragma once
+
+#include "scene/gltf_json.h"
+
+#include <filesystem>
+
+namespace tinygltf {
+class Model;
+}
+
+namespace rigel::tools {
+
+struct GltfDocument {
+  nlohmann::json json;
+  std::shared_ptr<const tinygltf::Model> binary;  // buffers, bufferViews, accessors and nothing else
+
+  JsonPlace root() const { return JsonPlace(json); }
+};
+
+/// Reads the file and everything its buffers refer to; throws LoadError.
+///
+/// tinygltf 2.7 decodes the binary half: buffers (external, base64, GLB chunk), views, accessors. It is handed a
+/// document of these three alone, rebuilt from fields that were checked before, because it drops what it cannot read
+/// (shifting later indices), recurses without bound through extras and throws out of its URI decoder. The graph (nodes,
+/// meshes, skins, animations, lights) is read from the JSON by JsonPlace.
+GltfDocument readGltfDocument(const std::filesystem::path& file);
+
+}  // namespace rigel::tools

@@ -1,0 +1,243 @@
+// Nodes and skins: the hierarchy is a forest, every reference exists, transforms are finite.
+#include "scene/gltf_import.h"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
+
+#include <cmath>
+
+namespace rigel::tools {
+namespace {
+
+void readTransform(const JsonPlace& place, Node& node) {
+  float m[16];
+  if (place.numbers("matrix", 16, m)) {
+    for (const char* other : {"translation", "rotation", "scale"}) {
+      if (place.has(other)) place.fail("has both matrix and {}", other);
+    }
+    if (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1) {
+      place.member("matrix").fail("is not affine: its last row must be 0 0 0 1");
+    }
+    node.hasMatrix = true;
+    node.matrix = glm::make_mat4(m);
+    return;
+  }
+  place.numbers("translation", 3, &node.translation.x);
+  place.numbers("scale", 3, &node.scale.x);
+  float q[4] = {0, 0, 0, 1};
+  if (place.numbers("rotation", 4, q)) {
+    const double norm = std::hypot(std::hypot(double(q[0]), double(q[1])), std::hypot(double(q[2]), double(q[3])));
+    // Exporters round to few digits; what is off by more is no rotation.
+    if (std::abs(norm - 1) > 0.01) place.member("rotation").fail("is no unit quaternion: its length is {:.4g}", norm);
+  }
+  node.rotation = glm::quat(q[3], q[0], q[1], q[2]);
+}
+
+void readReferences(GltfImport& import, const JsonPlace& place, Node& node) {
+  const JsonPlace root = import.document.root();
+  node.mesh = place.index("mesh", import.scene.meshes.size(), "mesh");
+  node.skin = place.index("skin", root.items("skins").size(), "skin");
+  if (node.skin >= 0 && node.mesh < 0) place.fail("has a skin but no mesh");
+  if (node.skin >= 0) {
+    const Mesh& mesh = import.scene.meshes[node.mesh];
+    for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
+      if (mesh.primitives[p].influences.empty()) {
+        place.fail("has a skin, but primitive {} of mesh {} has no JOINTS_0 and WEIGHTS_0", p, node.mesh);
+      }
+    }
+  }
+  if (place.has("weights")) {
+    const std::size_t targets = node.mesh >= 0 ? import.scene.meshes[node.mesh].morphWeights.size() : 0;
+    if (targets == 0) place.member("weights").fail("there are no morph targets for them");
+    node.morphWeights.resize(targets);
+    place.numbers("weights", targets, node.morphWeights.data());
+  }
+  if (const auto extensions = place.find("extensions")) {
+    if (const auto punctual = extensions->find("KHR_lights_punctual")) {
+      const int light = punctual->requiredIndex("light", import.sceneLight.size(), "light");
+      node.light = import.sceneLight[light];
+    }
+  }
+}
+
+void readExtras(const JsonPlace& place, Node& node) {
+  const auto extras = place.find("extras");
+  if (!extras || !extras->value().is_object()) return;
+  const auto ours = extras->find("rigel");
+  if (!ours || !ours->value().is_object()) return;
+  node.isStatic = ours->flag("static");
+  node.isObject = ours->flag("object");
+}
+
+void linkChildren(const std::vector<JsonPlace>& places, std::vector<Node>& nodes) {
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    for (const JsonPlace& reference : places[i].items("children")) {
+      const int child = reference.asIndex(nodes.size(), "node");
+      if (nodes[child].parent >= 0) {
+        reference.fail("node {} already has the parent {}", child, nodes[child].parent);
+      }
+      nodes[child].parent = static_cast<int>(i);
+      nodes[i].children.push_back(child);
+    }
+  }
+}
+
+// Every node has at most one parent by now, so a loop is a chain of parents that comes back to its start.
+void refuseLoops(const std::vector<JsonPlace>& places, const std::vector<Node>& nodes) {
+  std::vector<bool> done(nodes.size(), false);
+  std::vector<std::size_t> visit(nodes.size(), 0);  // number of the walk that came here
+  for (std::size_t start = 0; start < nodes.size(); ++start) {
+    int at = static_cast<int>(start);
+    for (; at >= 0 && !done[at]; at = nodes[at].parent) {
+      if (visit[at] == start + 1) places[at].fail("node loop: node {} is its own ancestor", at);
+      visit[at] = start + 1;
+    }
+    for (at = static_cast<int>(start); at >= 0 && !done[at]; at = nodes[at].parent) done[at] = true;
+  }
+}
+
+// The scene to show: `scene`, else the first, else all nodes without a parent.
+void chooseRoots(GltfImport& import) {
+  const JsonPlace root = import.document.root();
+  Scene& scene = import.scene;
+  const auto scenes = root.items("scenes");
+  const int chosen = std::max(root.index("scene", scenes.size(), "scene"), 0);
+  for (const JsonPlace& place : scenes) {
+    std::vector<bool> seen(scene.nodes.size(), false);
+    for (const JsonPlace& reference : place.items("nodes")) {
+      const int node = reference.asIndex(scene.nodes.size(), "node");
+      if (scene.nodes[node].parent >= 0)
+        reference.fail("node {} is a child of node {}", node, scene.nodes[node].parent);
+      if (seen[node]) reference.fail("node {} is listed twice", node);
+      seen[node] = true;
+    }
+  }
+  if (scenes.empty()) {
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+      if (scene.nodes[i].parent < 0) scene.roots.push_back(static_cast<int>(i));
+    }
+    return;
+  }
+  for (const JsonPlace& reference : scenes[chosen].items("nodes")) {
+    scene.roots.push_back(reference.asIndex(scene.nodes.size(), "node"));
+  }
+  if (scenes.size() > 1)
+    import.note("{} of {} scenes ignored: scene {} is used", scenes.size() - 1, scenes.size(), chosen);
+}
+
+int depthOf(const std::vector<Node>& nodes, int node) {
+  int depth = 0;
+  for (; nodes[node].parent >= 0; node = nodes[node].parent) ++depth;
+  return depth;
+}
+
+// The node at or above both; -1 when they are in different trees.
+int commonAncestor(const std::vector<Node>& nodes, int a, int b) {
+  int depthA = depthOf(nodes, a), depthB = depthOf(nodes, b);
+  for (; depthA > depthB; --depthA) a = nodes[a].parent;
+  for (; depthB > depthA; --depthB) b = nodes[b].parent;
+  while (a != b && a >= 0 && b >= 0) {
+    a = nodes[a].parent;
+    b = nodes[b].parent;
+  }
+  return a == b ? a : -1;
+}
+
+void readJoints(const JsonPlace& place, const std::vector<Node>& nodes, Skin& skin) {
+  const std::vector<JsonPlace> joints = place.items("joints", true);
+  if (joints.size() > 65536) place.member("joints").fail("has {} joints, 65536 are possible", joints.size());
+  std::vector<bool> seen(nodes.size(), false);
+  for (const JsonPlace& reference : joints) {
+    const int joint = reference.asIndex(nodes.size(), "node");
+    if (seen[joint]) reference.fail("node {} is listed twice", joint);
+    seen[joint] = true;
+    skin.joints.push_back(joint);
+  }
+}
+
+void readInverseBind(GltfImport& import, const JsonPlace& place, Skin& skin) {
+  skin.inverseBind.assign(skin.joints.size(), glm::mat4(1));
+  const int accessor = place.index("inverseBindMatrices", import.accessors.count(), "accessor");
+  if (accessor < 0) return;
+  const JsonPlace user = place.member("inverseBindMatrices");
+  if (import.accessors.elements(accessor) < skin.joints.size()) {
+    user.fail("accessor {} has {} matrices for {} joints", accessor, import.accessors.elements(accessor),
+              skin.joints.size());
+  }
+  const std::vector<float> flat = import.accessors.floats(user, accessor, 16, kFloat);
+  for (std::size_t j = 0; j < skin.joints.size(); ++j) {
+    glm::mat4 m = glm::make_mat4(flat.data() + 16 * j);
+    // Computed inverses carry rounding in the last row; more than that is a perspective, which no joint has.
+    const glm::vec4 lastRow(m[0][3], m[1][3], m[2][3], m[3][3] - 1);
+    if (glm::dot(lastRow, lastRow) > 1e-8f) user.fail("matrix {} is not affine: its last row must be 0 0 0 1", j);
+    for (int c = 0; c < 4; ++c) m[c][3] = c == 3 ? 1.f : 0.f;
+    skin.inverseBind[j] = m;
+  }
+}
+
+void chooseSkeletonRoot(GltfImport& import, const JsonPlace& place, Skin& skin) {
+  const std::vector<Node>& nodes = import.scene.nodes;
+  int common = skin.joints.front();
+  for (const int joint : skin.joints) common = common < 0 ? common : commonAncestor(nodes, common, joint);
+  const int named = place.index("skeleton", nodes.size(), "node");
+  if (common < 0) {
+    for (common = skin.joints.front(); nodes[common].parent >= 0;) common = nodes[common].parent;
+    import.note("{}: joints have no common root; the first one's is used", place.path());
+  }
+  skin.skeletonRoot = common;
+  if (named < 0) return;
+  if (commonAncestor(nodes, named, common) == named) {
+    skin.skeletonRoot = named;
+  } else {
+    import.note("{}/skeleton: node {} is not above all joints; node {} is used", place.path(), named, common);
+  }
+}
+
+void checkJointNumbers(const std::vector<JsonPlace>& places, const Scene& scene) {
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    const Node& node = scene.nodes[i];
+    if (node.skin < 0) continue;
+    const std::size_t joints = scene.skins[node.skin].joints.size();
+    for (const Primitive& primitive : scene.meshes[node.mesh].primitives) {
+      for (std::size_t v = 0; v < primitive.influences.size(); ++v) {
+        for (const std::uint16_t joint : primitive.influences[v].joint) {
+          if (joint >= joints) {
+            places[i].fail("vertex {} of mesh {} follows joint {}, skin {} has {}", v, node.mesh, joint, node.skin,
+                           joints);
+          }
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void importNodes(GltfImport& import) {
+  const std::vector<JsonPlace> places = import.document.root().items("nodes");
+  for (const JsonPlace& place : places) {
+    Node node;
+    node.name = readName(place);
+    readTransform(place, node);
+    readReferences(import, place, node);
+    readExtras(place, node);
+    import.scene.nodes.push_back(std::move(node));
+  }
+  linkChildren(places, import.scene.nodes);
+  refuseLoops(places, import.scene.nodes);
+  chooseRoots(import);
+}
+
+void importSkins(GltfImport& import) {
+  for (const JsonPlace& place : import.document.root().items("skins")) {
+    Skin skin;
+    skin.name = readName(place);
+    readJoints(place, import.scene.nodes, skin);
+    readInverseBind(import, place, skin);
+    chooseSkeletonRoot(import, place, skin);
+    import.scene.skins.push_back(std::move(skin));
+  }
+  checkJointNumbers(import.document.root().items("nodes"), import.scene);
+}
+
+}  // namespace rigel::tools
