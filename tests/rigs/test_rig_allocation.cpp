@@ -1,0 +1,89 @@
+// A frame allocates nothing once everything has its size: counted by replacing the global allocator.
+#include "rig_fixture.h"
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+namespace {
+std::atomic<long> allocations{0};
+
+void* countedAllocation(std::size_t size, std::size_t alignment) {
+  ++allocations;
+  void* memory = alignment > alignof(std::max_align_t)
+                     ? std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment)
+                     : std::malloc(size);
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+}  // namespace
+
+void* operator new(std::size_t size) { return countedAllocation(size, 0); }
+void* operator new[](std::size_t size) { return countedAllocation(size, 0); }
+void* operator new(std::size_t size, std::align_val_t a) {
+  return countedAllocation(size, static_cast<std::size_t>(a));
+}
+void* operator new[](std::size_t size, std::align_val_t a) {
+  return countedAllocation(size, static_cast<std::size_t>(a));
+}
+void operator delete(void* p) noexcept { std::free(p); }
+void operator delete[](void* p) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+void operator delete[](void* p, std::size_t) noexcept { std::free(p); }
+void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
+void operator delete[](void* p, std::align_val_t) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
+void operator delete[](void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
+
+// Eigen calls malloc itself: the linker hands those calls to us as well (--wrap=malloc).
+extern "C" void* __real_malloc(std::size_t size);
+extern "C" void* __wrap_malloc(std::size_t size) {
+  ++allocations;
+  return __real_malloc(size);
+}
+
+namespace rigel::test {
+namespace {
+
+TEST(RigAllocation, CountsWhatItShould) {
+  const long before = allocations;
+  // Through a volatile pointer, or the compiler leaves the pair out.
+  int* volatile number = new int(3);
+  delete number;
+  void* volatile memory = std::malloc(8);
+  std::free(memory);
+  EXPECT_GE(allocations - before, 2);
+}
+
+TEST(RigAllocation, AFrameAllocatesNothing) {
+  const auto body = ellipsoid({}, {2, 0.5f, 0.5f}, 600);
+  LightSet lights;
+  auto specs = everyKindOfSpec();
+  specs.insert(specs.end(), {"poly:56", "lattice:8x4x2@lsq", "lattice:8x8x8"});
+  for (const std::string& text : specs) {
+    Rig rig = rigOf(text, body);
+    std::vector<Vec3> anchors(rig.anchors().size());
+    std::vector<RadianceSH<5>> functionals(rig.projections());
+    std::vector<RadianceSH<5>> coefficients(rig.shVectors());
+    long counted = 0;
+    for (int frame = 0; frame < 4; ++frame) {
+      const long before = allocations;
+      const float t = static_cast<float>(frame);
+      lights.clear();
+      lights.add(SphereLight{{2, 3 - t, 1}, 0.3f, {20, 15, 10}});
+      lights.add(PointLight{{t, 1, 1}, {3, 4, 5}});
+      lights.add(SpotLight{{0, 4, t}, {0, -1, 0}, {30, 30, 30}});
+      lights.add(DirectionalLight{{0, -1, t}, {1, 1, 1}});
+      for (std::size_t i = 0; i < anchors.size(); ++i) anchors[i] = body[rig.anchors()[i]] + Vec3{t, 0, 0};
+      rig.setPose({{{t - 2, -0.5f, -0.5f}, {t + 2, 0.5f, 0.5f}}, anchors});
+      projectSamples<5>(rig, {}, lights, functionals);
+      fitRig<5>(rig, functionals, coefficients);
+      (void)evaluateRig<5>(rig, coefficients, {t, 0, 0});
+      if (frame > 0) counted += allocations - before;
+    }
+    EXPECT_EQ(counted, 0) << text;
+  }
+}
+
+}  // namespace
+}  // namespace rigel::test

@@ -1,0 +1,129 @@
+#include "rig_fixture.h"
+
+namespace rigel::test {
+namespace {
+
+const auto kBody = ellipsoid({0.5f, 1, -2}, {2, 0.4f, 0.8f}, 600);
+
+std::vector<Vec3> probes(const std::vector<Vec3>& surface, int count, unsigned seed) {
+  const RigBox box = boxOf(surface);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> unit(0, 1);
+  std::vector<Vec3> points;
+  for (int i = 0; i < count; ++i) {
+    Vec3 p;
+    for (int a = 0; a < 3; ++a) p[a] = box.lo[a] + unit(random) * (box.hi[a] - box.lo[a]);
+    points.push_back(p);
+  }
+  return points;
+}
+
+/// Largest difference of rig and field, for a field and its gradient: over the box, but where the rig was fitted to the
+/// surface over that (on an ellipsoid x^2 + y^2 + z^2 is constant, so off it the fit says little).
+template <class Field, class Gradient>
+float worstError(const Rig& rig, Field field, Gradient gradient) {
+  const auto fitted = fitField(rig, field, gradient);
+  float worst = 0;
+  for (Vec3 p : rig.anchors().empty() ? probes(kBody, 200, 7) : kBody) worst = std::max(worst, std::abs(fitted(p) - field(p)));
+  return worst;
+}
+
+TEST(RigModels, EveryKindReproducesConstantLight) {
+  for (const std::string& text : everyKindOfSpec()) {
+    const Rig rig = rigOf(text, kBody);
+    EXPECT_EQ(rig.shVectors(), specOf(text).shVectors()) << text;
+    EXPECT_LT(worstError(
+                  rig, [](Vec3) { return 3.0f; }, [](Vec3) { return Vec3{}; }),
+              2e-5f)
+        << text;
+  }
+}
+
+TEST(RigModels, ProjectionsCountFunctionals) {
+  const std::vector<std::pair<std::string, int>> cases = {{"constant", 1},         {"gradient", 4},
+                                                          {"gradient@numeric", 7}, {"lattice:3x2x2", 12},
+                                                          {"mixed:l3,g,c", 6},     {"mixed:l3,g,c@numeric", 9},
+                                                          {"poly:6", 12},          {"lattice:3x2x2@lsq", 24}};
+  for (const auto& [text, projections] : cases) EXPECT_EQ(rigOf(text, kBody).projections(), projections) << text;
+}
+
+TEST(RigModels, LinearLightIsExactWhereTheModelSpansIt) {
+  const auto field = [](Vec3 p) { return 1 + 0.5f * p.x - 2 * p.y + 0.25f * p.z; };
+  const auto gradient = [](Vec3) { return Vec3{0.5f, -2, 0.25f}; };
+  for (const std::string text :
+       {"gradient", "gradient@numeric", "gradient@lsq", "lattice:2x2x2", "lattice:3x2x2", "lattice:4x3x2:cubic",
+        "lattice:3x2x2@lsq", "mixed:l3,g,g", "mixed:l3,g,g@numeric", "mixed:xyz:g,l4,l2", "poly:12", "poly:20"}) {
+    // 3e-5: float rounding of values around 4 through the fit; least squares adds its pull, 1e-6 times the condition.
+    EXPECT_LT(worstError(rigOf(text, kBody), field, gradient), 3e-4f) << text;
+  }
+}
+
+TEST(RigModels, PolyReproducesEveryMonomialItKeeps) {
+  // poly:10 of a sphere, whose axes are alike, is all monomials up to degree 2.
+  const auto sphere = ellipsoid({3, -1, 2}, {1, 1, 1}, 600);
+  const Rig rig = rigOf("poly:10", sphere);
+  const auto field = [](Vec3 p) { return 0.3f * p.x * p.y - p.z * p.z + 2 * p.y - 0.7f * p.x * p.z + 1; };
+  const auto fitted = fitField(rig, field, [](Vec3) { return Vec3{}; });
+  for (Vec3 p : sphere) EXPECT_NEAR(fitted(p), field(p), 2e-3f);
+}
+
+TEST(RigModels, AxesGoByDecreasingExtentUnlessPinned) {
+  // kBody is longest along x, then z, then y: the lattice of mixed:l3,g,c is along x and its slope along z.
+  const auto alongX = [](Vec3 p) { return p.x; };
+  const auto alongY = [](Vec3 p) { return p.y; };
+  const auto alongZ = [](Vec3 p) { return p.z; };
+  const auto unit = [](int axis) {
+    return [axis](Vec3) {
+      Vec3 v;
+      v[axis] = 1;
+      return v;
+    };
+  };
+  const Rig byExtent = rigOf("mixed:l3,g,c", kBody);
+  EXPECT_LT(worstError(byExtent, alongX, unit(0)), 1e-5f);
+  EXPECT_LT(worstError(byExtent, alongZ, unit(2)), 1e-5f);
+  EXPECT_GT(worstError(byExtent, alongY, unit(1)), 0.1f);
+  const Rig pinned = rigOf("mixed:xyz:l3,g,c", kBody);
+  EXPECT_LT(worstError(pinned, alongY, unit(1)), 1e-5f);
+  EXPECT_GT(worstError(pinned, alongZ, unit(2)), 0.1f);
+}
+
+TEST(RigModels, LatticeInterpolatesItsSamples) {
+  const auto field = [](Vec3 p) { return std::sin(3 * p.x) + std::cos(2 * p.y) * p.z; };
+  for (const std::string text : {"lattice:3x2x2", "lattice:8x4x2", "lattice:4x3x2:cubic", "lattice:3x2x2:smooth"}) {
+    const Rig rig = rigOf(text, kBody);
+    const auto fitted = fitField(rig, field, [](Vec3) { return Vec3{}; });
+    for (const RigSample& sample : rig.samples()) EXPECT_NEAR(fitted(sample.position), field(sample.position), 1e-5f);
+  }
+}
+
+TEST(RigModels, MixedOfOneKindIsThatKind) {
+  const auto field = [](Vec3 p) { return p.x * p.x + p.y * p.z; };
+  const auto gradient = [](Vec3 p) { return Vec3{2 * p.x, p.z, p.y}; };
+  const std::vector<std::pair<std::string, std::string>> same = {
+      {"constant", "mixed:c,c,c"}, {"gradient", "mixed:g,g,g"}, {"lattice:3x2x2", "mixed:l3,l2,l2"}};
+  for (const auto& [a, b] : same) {
+    const Rig rigA = rigOf(a, kBody);
+    const Rig rigB = rigOf(b, kBody);
+    const auto fitA = fitField(rigA, field, gradient);
+    const auto fitB = fitField(rigB, field, gradient);
+    for (Vec3 p : probes(kBody, 50, 9)) EXPECT_EQ(fitA(p), fitB(p)) << a;
+  }
+}
+
+TEST(RigModels, PoseMovesSamplesAndKeepsTheFit) {
+  // The body stretched and bent: riding anchors still reproduce what the model spans.
+  std::vector<Vec3> bent;
+  for (Vec3 p : kBody) bent.push_back({p.x * 1.5f, p.y + 0.2f * p.x * p.x, p.z - 1});
+  Rig rig = rigOf("poly:12", kBody);
+  std::vector<Vec3> anchors;
+  for (int i : rig.anchors()) anchors.push_back(bent[i]);
+  rig.setPose({boxOf(bent), anchors});
+  const auto field = [](Vec3 p) { return 2 - p.x + 0.5f * p.z + p.y; };
+  const auto fitted = fitField(rig, field, [](Vec3) { return Vec3{}; });
+  for (Vec3 p : bent) EXPECT_NEAR(fitted(p), field(p), 1e-3f);
+  EXPECT_LT(rig.condition(), 1e3);
+}
+
+}  // namespace
+}  // namespace rigel::test

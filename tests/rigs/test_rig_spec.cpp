@@ -1,0 +1,68 @@
+#include "rig_fixture.h"
+
+#include <gmock/gmock.h>
+
+namespace rigel::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(RigSpec, CountsShVectors) {
+  const std::vector<std::pair<std::string, int>> cases = {
+      {"constant", 1},       {"gradient", 4},      {"gradient@numeric", 4}, {"lattice:3x2x2", 12},
+      {"lattice:8x4x2", 64}, {"lattice:1x1x1", 1}, {"mixed:l3,g,c", 6},     {"mixed:xyz:c,c,l5", 5},
+      {"mixed:l2,l3,g", 12}, {"mixed:l2,g,g", 6},  {"mixed:g,g,g", 4},      {"poly:12", 12}};
+  for (const auto& [text, vectors] : cases) EXPECT_EQ(specOf(text).shVectors(), vectors) << text;
+}
+
+TEST(RigSpec, KeepsTextWithoutBlanks) { EXPECT_EQ(specOf(" mixed: l3, g ,c ").text, "mixed:l3,g,c"); }
+
+TEST(RigSpec, DefaultsToThePapersFit) {
+  EXPECT_EQ(specOf("lattice:3x2x2").fit, FitMethod::corners);
+  EXPECT_EQ(specOf("mixed:l3,g,c").fit, FitMethod::corners);
+  EXPECT_EQ(specOf("poly:6").fit, FitMethod::lsq);
+}
+
+TEST(RigSpec, RefusesWithTheSpecAndTheCause) {
+  const std::vector<std::pair<std::string, std::string>> cases = {{"", "empty"},
+                                                                  {"spline:4", "unknown rig model"},
+                                                                  {"constant:2", "unknown rig model"},
+                                                                  {"lattice:3x2", "three node counts"},
+                                                                  {"lattice:3x2x0", "'0' is not a node count"},
+                                                                  {"lattice:3x2x-1", "'-1' is not a node count"},
+                                                                  {"lattice:3x2x99999999999", "is not a node count"},
+                                                                  {"lattice:3x2x2:box", "unknown kernel 'box'"},
+                                                                  {"lattice:3x2x2:linear:linear", "too many ':'"},
+                                                                  {"lattice:64x64x64", "at most 512"},
+                                                                  {"lattice:9x4x2@lsq", "at most 64"},
+                                                                  {"mixed:l3,g", "three axis models"},
+                                                                  {"mixed:l3,g,q", "unknown axis model 'q'"},
+                                                                  {"mixed:l,g,c", "unknown axis model 'l'"},
+                                                                  {"poly:0", "not a number of terms"},
+                                                                  {"poly:57", "not a number of terms"},
+                                                                  {"poly:six", "'six' is not a number of terms"},
+                                                                  {"poly:6@corners", "always least squares"},
+                                                                  {"constant@numeric", "needs a gradient axis"},
+                                                                  {"gradient@gaus", "unknown suffix '@gaus'"},
+                                                                  {"gradient@", "unknown suffix '@'"}};
+  for (const auto& [text, cause] : cases) {
+    const auto spec = parseRigSpec(text);
+    ASSERT_FALSE(spec) << text;
+    EXPECT_THAT(spec.error().line(), HasSubstr(cause)) << text;
+    EXPECT_THAT(spec.error().line(), HasSubstr("rig spec '" + text + "'"));
+  }
+}
+
+TEST(RigSpec, ParsesLists) {
+  const auto specs = parseRigSpecs("constant; gradient;poly:6");
+  ASSERT_TRUE(specs);
+  EXPECT_EQ(specs->size(), 3u);
+  EXPECT_FALSE(parseRigSpecs(""));
+  EXPECT_FALSE(parseRigSpecs("constant;"));
+  const auto twice = parseRigSpecs("poly:6; poly: 6");
+  ASSERT_FALSE(twice);
+  EXPECT_THAT(twice.error().line(), HasSubstr("given twice"));
+}
+
+}  // namespace
+}  // namespace rigel::test
