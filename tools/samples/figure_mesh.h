@@ -1,0 +1,26 @@
+// The human figure of `stage`: one skinned mesh, 1.8 m tall, facing +z, arms held 45 degrees down in the bind pose.
+#pragma once
+
+#include "samples/skeleton_builder.h"
+
+namespace rigel::tools {
+
+/// Joints of the figure, in the order of Skeleton::joints. `left` is +x.
+struct FigureJoint {
+  static constexpr int hips = 0, spine = 1, chest = 2, neck = 3, head = 4, left = 5, right = 13, count = 21;
+  // Offsets from `left` or `right`.
+  static constexpr int clavicle = 0, upperArm = 1, forearm = 2, hand = 3, fingers = 4, thigh = 5, shin = 6, foot = 7;
+};
+/// Offsets from `left` or `right`.
+enum Limb { clavicle, upperArm, forearm, hand, fingers, thigh, shin, foot };
+};
+
+struct Figure {
+  int node = -1;  // carries mesh and skin
+  Skeleton skeleton;
+};
+
+/// Adds the figure, standing at the origin, and its material to `scene`.
+Figure addFigure(Scene& scene);
+
+}  // namespace rigel::tools
