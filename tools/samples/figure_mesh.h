@@ -5,14 +5,10 @@
 
 namespace rigel::tools {
 
-/// Joints of the figure, in the order of Skeleton::joints. `left` is +x.
+/// Joints of the figure, in the order of Skeleton::joints. `left` is +x; a limb's joint is left or right + limb.
 struct FigureJoint {
   static constexpr int hips = 0, spine = 1, chest = 2, neck = 3, head = 4, left = 5, right = 13, count = 21;
-  // Offsets from `left` or `right`.
   static constexpr int clavicle = 0, upperArm = 1, forearm = 2, hand = 3, fingers = 4, thigh = 5, shin = 6, foot = 7;
-};
-/// Offsets from `left` or `right`.
-enum Limb { clavicle, upperArm, forearm, hand, fingers, thigh, shin, foot };
 };
 
 struct Figure {
