@@ -131,6 +131,9 @@ bool AccessorReader::isMaxIndex(int accessor, std::uint32_t value) const {
 const unsigned char* AccessorReader::viewData(const JsonPlace& place, int view, std::size_t offset,
                                               std::size_t bytes) const {
   const tinygltf::BufferView& v = document_.binary->bufferViews[view];
+  if (!document_.bufferHasData[v.buffer]) {
+    place.fail("is in buffer {}, which has neither \"uri\" nor a GLB binary chunk", v.buffer);
+  }
   const std::vector<unsigned char>& buffer = document_.binary->buffers[v.buffer].data;
   if (v.byteOffset > buffer.size() || v.byteLength > buffer.size() - v.byteOffset) {
     views_[view].fail("ends at byte {}, buffer {} has {}", v.byteOffset + v.byteLength, v.buffer, buffer.size());
