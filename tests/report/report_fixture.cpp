@@ -50,7 +50,7 @@ double wave(double time, double phase) { return 0.5 + 0.5 * std::sin(3.1 * time 
 
 /// A ball under a lamp that passes with time; `softness` blurs its light as a poor rig would.
 Picture picture(const std::string& label, int frame, double time, double rms) {
-  constexpr int kWidth = 480, kHeight = 320;
+  constexpr int kWidth = 240, kHeight = 160;
   const auto light = [&](double x, double y, double softness) {
     const double z = std::sqrt(std::max(0.0, 1 - x * x - y * y));
     const double lx = std::cos(1.4 * time), ly = -0.6, lz = 0.5;
@@ -59,7 +59,7 @@ Picture picture(const std::string& label, int frame, double time, double rms) {
   std::vector<std::uint8_t> image(3 * kWidth * kHeight, 24), error(3 * kWidth * kHeight, 10);
   for (int row = 0; row < kHeight; ++row) {
     for (int column = 0; column < kWidth; ++column) {
-      const double x = (column - kWidth / 2.0) / 140, y = (row - kHeight / 2.0) / 140;
+      const double x = (column - kWidth / 2.0) / 70, y = (row - kHeight / 2.0) / 70;
       if (x * x + y * y > 1) continue;
       const double truth = light(x, y, 0), rig = light(x, y, 2 * rms);
       const double heat = std::min(0.999, std::abs(rig - truth) / 0.5) * (kHeat.size() - 1);
@@ -124,9 +124,8 @@ ObjectReport object(const std::string& name, int frames, double scale) {
   return result;
 }
 
-}  // namespace
-
-Report madeUpReport() {
+/// Pictures take a quarter of a second: made once.
+Report makeReport() {
   Report report;
   report.version = "0.1.0";
   report.commandLine =
@@ -158,6 +157,13 @@ Report madeUpReport() {
   return report;
 }
 
+}  // namespace
+
+Report madeUpReport() {
+  static const Report report = makeReport();
+  return report;
+}
+
 Report smallestReport() {
   Report report = madeUpReport();
   report.heatMapColors.clear();
@@ -178,7 +184,9 @@ Report hostileReport() {
   scene.lights.front().name = "\xFF\xC3 no UTF-8 \xED\xA0\x80";
   scene.lights.front().summary = kHostileMarkup;
   scene.objects.front().name = kHostileMarkup;
-  scene.objects.front().rigs.front().spec = "constant<b>&amp;";
+  scene.objects.front().rigs.front().spec = kHostileSpec;
+  for (Picture& shown : scene.objects.front().pictures)
+    if (shown.label == "constant") shown.label = kHostileSpec;
   report.commandLine = kHostileMarkup;
   return report;
 }

@@ -17,6 +17,7 @@ tools::Report hostileReport();
 
 /// Names of hostileReport(), as they must read on the page and in report.json.
 inline constexpr const char* kHostileMarkup = "</script><script>document.title='hacked'</script><!--<script>";
+inline constexpr const char* kHostileSpec = "constant<b>&amp;";
 inline constexpr const char* kHostileQuotes = "\"';--><img src=x onerror=\"document.title='hacked'\">{{DATA}}";
 
 }  // namespace rigel::tests

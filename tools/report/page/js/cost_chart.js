@@ -1,6 +1,6 @@
 // Error against cost, both logarithmic: one labelled point a rig and the front of those that nothing beats.
 
-const kCostHeight = 340;
+const kCostHeight = 420;
 
 function costChart(object, store) {
   const place = element('div', {class: 'plot'});

@@ -60,7 +60,7 @@ function figure(value) {
   return value.toPrecision(3);
 }
 
-const percent = (relative) => figure(100 * relative) + ' %';
+const percent = (relative) => figure(100 * relative) + '\u00a0%';
 const count = (value) => value.toLocaleString('en-US');
 const plural = (n, noun) => `${count(n)} ${noun}${n === 1 ? '' : 's'}`;
 const seconds = (time) => `${time.toFixed(2)} s`;

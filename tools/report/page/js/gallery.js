@@ -1,6 +1,7 @@
 // Pictures: rig against truth under a wipe, the difference beside it, all rigs of the frame as a contact sheet.
 
-const kWipeStep = 2;  // per cent of the width for an arrow key
+const kWipeStep = 2;      // per cent of the width for an arrow key
+const kSheetColumns = 6;  // at most; rows are filled evenly
 
 /** `store` holds {rig, frame} of the object; frames as pictureFrames() gives them. */
 function gallery(object, frames, store) {
@@ -98,7 +99,7 @@ function heatScale() {
   const ramp = element('div', {class: 'ramp', 'aria-hidden': 'true'});
   if (report.heat_map_colors.length > 1) ramp.style.background = `linear-gradient(to right, ${report.heat_map_colors.join(', ')})`;
   const ticks = [0, 0.25, 0.5, 0.75, 1].map((share) =>
-    element('span', {}, (share === 1 ? '≥ ' : '') + (share === 0 ? '0' : percent(share * report.heat_map_max))));
+    element('span', {}, (share === 1 ? '≥ ' : '') + (share === 0 ? '0' : `${tickLabel(100 * share * report.heat_map_max)}\u00a0%`)));
   return element('div', {class: 'scale'}, report.heat_map_colors.length > 1 ? ramp : null, element('div', {class: 'ticks'}, ...ticks));
 }
 
@@ -130,6 +131,8 @@ function contactSheet(store) {
   function draw(frame) {
     shownFrame = frame;
     kindChoice.show(kind);
+    const rows = Math.ceil(frame.pictures.length / kSheetColumns);
+    grid.style.setProperty('--columns', Math.ceil(frame.pictures.length / rows));
     grid.replaceChildren(...frame.pictures.map((picture) => thumbnail(picture, kind, store)));
   }
   function mark(label) {

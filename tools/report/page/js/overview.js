@@ -22,7 +22,8 @@ function overview() {
 
 /** The sentence with the rig it names in its colour. */
 function verdictSentence(object) {
-  const {spec, sentence} = object.verdict;
+  const {spec} = object.verdict;
+  const sentence = object.verdict.sentence.replaceAll(' %', '\u00a0%');
   const at = sentence.indexOf(spec);
   if (at < 0) return element('p', {class: 'verdict'}, sentence);
   const name = element('strong', {class: 'spec'}, swatch(colorOf(spec)), spec);

@@ -107,7 +107,7 @@ function drawTime(object, layout, frames, chosen) {
     const y = layout.error.bottom;
     root.append(svgElement('path', {class: 'pictured', d: `M${at} ${y + 1}l5 8h-10z`}));
   }
-  const movement = plotted(object.truth, yMovement, (frame) => frame.movement);
+  const movement = plotted(object.truth.slice(1), yMovement, (frame) => frame.movement);  // nothing precedes the first
   const base = layout.movement.bottom;
   root.append(
     svgElement('polygon', {class: 'truth-area', points: polyline([[movement[0][0], base], ...movement, [movement[movement.length - 1][0], base]])}),
@@ -128,5 +128,5 @@ function readoutLines(object, index, layout) {
   const rows = layout.rigs.filter((rig) => rig.frames.length).map((rig) => ({spec: rig.spec, value: errorOfFrame(rig.frames[nearestIndex(rig.frames, time)], layout.kind)}));
   rows.sort((a, b) => b.value - a.value);
   return [element('div', {class: 'when'}, seconds(time)), ...rows.map((row) => line(row.spec, percent(row.value), colorOf(row.spec))),
-    line('truth moves', percent(movement)), line('mean irradiance', `${figure(mean)} W/m²`)];
+    line('truth moves', index ? percent(movement) : '–'), line('mean irradiance', `${figure(mean)} W/m²`)];
 }

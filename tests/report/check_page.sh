@@ -1,0 +1,33 @@
+#!/bin/sh
+# Opens a report in headless Chromium, drives it with a script, and fails on anything the console reports.
+# check_page.sh REPORT.html [SCRIPT.js]: the script writes its result into <body data-check="...">; "ok" is success.
+set -eu
+
+report=$1
+script=${2:-$(dirname "$0")/page_check.js}
+chromium=${CHROMIUM:-$(command -v chromium || true)}
+if [ -z "$chromium" ]; then
+  echo "check_page: chromium is not installed; tools/test installs it" >&2
+  exit 1
+fi
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+{ cat "$report"; echo '<script>'; cat "$script"; echo '</script>'; } > "$work/page.html"
+
+# A fresh profile each time; the flags after --disable-gpu keep Chromium off the network.
+timeout 120 "$chromium" --headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking \
+  --disable-component-update --disable-sync --disable-default-apps --user-data-dir="$work/profile" --window-size=1440,2000 \
+  --enable-logging=stderr --v=0 --virtual-time-budget=20000 --dump-dom "file://$work/page.html" \
+  > "$work/dom.html" 2> "$work/log" || { echo "check_page: chromium failed" >&2; tail -20 "$work/log" >&2; exit 1; }
+
+if grep 'CONSOLE' "$work/log"; then
+  echo "check_page: $report: the console is not empty" >&2
+  exit 1
+fi
+result=$(grep -o '<body[^>]*data-check="[^"]*"' "$work/dom.html" | sed 's/.*data-check="//; s/"$//')
+echo "check_page: ${result:-the page never finished}"
+case $result in
+  ok*) ;;
+  *) exit 1 ;;
+esac

@@ -1,0 +1,160 @@
+// Drives a report as a reader would, through its elements alone, and writes the outcome into <body data-check>.
+// check_page.sh appends this to a report; the page itself knows nothing of it.
+(() => {
+  'use strict';
+  let checks = 0;
+  const failures = [];
+  const check = (passed, what) => {
+    ++checks;
+    if (!passed) failures.push(what);
+  };
+  const equal = (actual, expected, what) => check(actual === expected, `${what}: ${actual}, not ${expected}`);
+  addEventListener('error', (event) => failures.push(`exception: ${event.message}`));
+  addEventListener('unhandledrejection', (event) => failures.push(`rejection: ${event.reason}`));
+
+  const data = JSON.parse(document.getElementById('report-data').textContent);
+  const all = (node, selector) => [...node.querySelectorAll(selector)];
+  const press = (node, key) => node.dispatchEvent(new KeyboardEvent('keydown', {key, bubbles: true, cancelable: true}));
+  const pointer = (node, type, clientX) => node.dispatchEvent(new PointerEvent(type, {clientX, clientY: 0, button: 0, bubbles: true}));
+  const drawn = () => new Promise((done) => setTimeout(done, 1000));  // of virtual time: the charts wait for a frame
+  const button = (node, group, label) => all(node, `[aria-label="${group}"] button`).find((candidate) => candidate.textContent === label);
+
+  function checkGallery(section, object) {
+    const pictures = object.pictures.filter((picture) => picture.frame === object.pictures[0].frame);
+    const frames = new Set(object.pictures.map((picture) => picture.frame));
+    const stage = section.querySelector('.wipe .stage');
+    const range = section.querySelector('.wipe input');
+    const wipe = () => parseFloat(stage.style.getPropertyValue('--wipe'));
+
+    range.value = 20;
+    range.dispatchEvent(new Event('input'));
+    equal(wipe(), 20, 'slider');
+    press(range, 'ArrowRight');
+    equal(wipe(), 22, 'arrow right');
+    for (let i = 0; i < 20; ++i) press(range, 'ArrowLeft');
+    equal(wipe(), 0, 'arrow left stops at the edge');
+    const box = stage.getBoundingClientRect();
+    pointer(stage, 'pointerdown', box.left + 0.25 * box.width);
+    check(Math.abs(wipe() - 25) < 0.01, `press on the picture: ${wipe()}`);
+    pointer(document, 'pointermove', box.right + 50);
+    equal(wipe(), 100, 'drag beyond the picture');
+    pointer(document, 'pointerup', box.right + 50);
+    pointer(document, 'pointermove', box.left);
+    equal(wipe(), 100, 'no drag after the release');
+
+    equal(all(section, '.thumbnail').length, pictures.length, 'thumbnails');
+    check(all(section, 'img').every((image) => image.src.startsWith('data:image/png;base64,')), 'a picture is not embedded');
+    const rig = pictures[1];
+    all(section, 'button.thumbnail')[0].click();
+    equal(section.querySelector('.tag.left').textContent, rig.label, 'thumbnail chooses its rig');
+    equal(button(section, 'Rig', rig.label).getAttribute('aria-pressed'), 'true', 'rig button follows');
+    equal(section.querySelector('tr.chosen .pick')?.textContent, rig.label, 'table follows');
+    const before = all(section, '.stage img')[0].src;
+    equal(all(section, '[aria-label="Frame"] button').length, frames.size > 1 ? frames.size : 0, 'frame buttons');
+    if (frames.size > 1) {
+      all(section, '[aria-label="Frame"] button')[1].click();
+      check(all(section, '.stage img')[0].src !== before, 'the other frame shows the same truth');
+    }
+    button(section, 'Show', 'Differences').click();
+    equal(all(section, 'button.thumbnail img')[0].src, section.querySelector('.heat img').src, 'differences as thumbnails');
+  }
+
+  function checkTable(section, object) {
+    const order = () => all(section, '.rigs .pick').map((pick) => pick.textContent).join('|');
+    const sort = (title) => all(section, '.sort').find((candidate) => candidate.textContent.startsWith(title));
+    const byError = [...object.rigs].sort((a, b) => a.total.rms - b.total.rms).map((rig) => rig.spec);
+    equal(order(), object.rigs.map((rig) => rig.spec).join('|'), 'order of the command line');
+    sort('Total RMS').click();
+    equal(order(), byError.join('|'), 'sorted by total error');
+    equal(sort('Total RMS').closest('th').getAttribute('aria-sort'), 'ascending', 'aria-sort');
+    sort('Total RMS').click();
+    equal(order(), byError.reverse().join('|'), 'sorted downwards');
+    const beaten = (rig) => object.rigs.some((other) => other !== rig && other.bytes <= rig.bytes && other.total.rms <= rig.total.rms &&
+      (other.bytes < rig.bytes || other.total.rms < rig.total.rms));
+    for (const row of all(section, '.rigs tbody tr')) {
+      const rig = object.rigs.find((candidate) => candidate.spec === row.querySelector('.pick').textContent);
+      equal(row.classList.contains('pareto'), !beaten(rig), `Pareto mark of ${rig.spec}`);
+    }
+    const pick = all(section, '.pick')[0];
+    pick.focus();
+    pick.click();
+    check(document.activeElement === pick, 'choosing a rig loses the focus');
+  }
+
+  function checkTimeChart(section, object) {
+    const place = section.querySelector('.plot[tabindex]');
+    const lines = () => all(place, '.line');
+    equal(lines().length, object.rigs.length, 'lines');
+    const first = all(section, '.legend button')[0];
+    first.click();
+    equal(lines().length, object.rigs.length - 1, 'lines without the first rig');
+    equal(first.getAttribute('aria-pressed'), 'false', 'legend');
+    first.click();
+    const shape = lines()[0].getAttribute('points');
+    check(!/NaN|Infinity/.test(place.innerHTML), 'a coordinate of the chart is no number');
+    button(section, 'Scale', 'Linear').click();
+    check(lines()[0].getAttribute('points') !== shape, 'linear looks like logarithmic');
+    button(section, 'Error', 'Spatial').click();
+    check(place.textContent.includes('spatial RMS'), 'axis title follows the error');
+    button(section, 'Error', 'Total').click();
+    button(section, 'Scale', 'Log').click();
+    press(place, 'End');
+    const last = object.truth[object.truth.length - 1];
+    check(place.querySelector('.readout').textContent.includes(`${last.time.toFixed(2)} s`), 'read-out at the last frame');
+    press(place, 'Escape');
+    check(place.querySelector('.readout').hidden, 'Escape hides the read-out');
+    pointer(place, 'pointermove', place.getBoundingClientRect().left + 60);
+    equal(all(place.querySelector('.readout'), '.entry').length, object.rigs.length + 2, 'lines of the read-out');
+    pointer(place, 'pointerleave', 0);
+  }
+
+  function checkCostChart(section, object) {
+    const points = () => all(section, '.point');
+    equal(points().length, object.rigs.length, 'points');
+    const at = (i) => points()[i].querySelector('.target').getAttribute('cx');
+    const before = at(object.rigs.length - 1);
+    const group = points()[0].closest('.card');
+    button(group, 'Cost', 'Fit').click();
+    check(object.rigs.length === 1 || at(object.rigs.length - 1) !== before, 'the cost axis does nothing');
+    check(!/NaN|Infinity/.test(group.innerHTML), 'a coordinate of the cost chart is no number');
+    press(points()[0], 'Enter');
+    equal(section.querySelector('tr.chosen .pick').textContent, object.rigs[0].spec, 'a point chooses its rig');
+    button(group, 'Cost', 'Bytes').click();
+  }
+
+  async function run() {
+    await drawn();
+    const sections = all(document, 'section.object');
+    equal(sections.length, data.objects.length, 'sections');
+    for (const [i, object] of data.objects.entries()) {
+      equal(sections[i].querySelector('h2').textContent, object.name, 'name as text');
+      equal(Boolean(sections[i].querySelector('.gallery')), object.pictures.length > 0, 'gallery');
+      checkTable(sections[i], object);
+      if (object.pictures.length) checkGallery(sections[i], object);
+      equal(Boolean(sections[i].querySelector('.plot[tabindex]')), object.truth.length > 1, 'time chart');
+      if (object.truth.length > 1) checkTimeChart(sections[i], object);
+      checkCostChart(sections[i], object);
+    }
+    const root = document.documentElement;
+    const theme = document.getElementById('theme');
+    theme.click();
+    const chosen = root.dataset.theme;
+    const background = getComputedStyle(document.body).backgroundColor;
+    theme.click();
+    check(root.dataset.theme !== chosen && getComputedStyle(document.body).backgroundColor !== background, 'theme');
+    check(document.title.startsWith('Rigel report: '), `title: ${document.title}`);
+    equal(document.querySelector('footer code').textContent, data.command, 'command line');
+    check(root.scrollWidth <= root.clientWidth, `the page is wider than its window: ${root.scrollWidth} > ${root.clientWidth}`);
+    check(all(document, 'button').every((node) => node.textContent.trim()), 'a button without a name');
+    const ids = all(document, '[id]').map((node) => node.id);
+    equal(new Set(ids).size, ids.length, 'unique ids');
+    check(all(document, 'nav a').every((link) => document.getElementById(link.hash.slice(1))), 'a link of the navigation leads nowhere');
+    check(all(document, 'script').length === 4, `${all(document, 'script').length} scripts, not the page's own and this one`);
+    equal(performance.getEntriesByType('resource').filter((entry) => !entry.name.startsWith('data:')).length, 0, 'files fetched');
+    check(checks > 20, 'hardly anything was checked');
+  }
+
+  run().catch((error) => failures.push(`exception: ${error.message}`)).finally(() => {
+    document.body.dataset.check = failures.length ? `failed: ${failures.join('; ')}` : `ok, ${checks} checks`;
+  });
+})();

@@ -1,0 +1,137 @@
+// report.json: the names scripts rely on, the values behind them, and names from files that try to break it.
+#include "report/report_json.h"
+
+#include "report_fixture.h"
+
+#include <gmock/gmock.h>
+
+#include <limits>
+
+namespace rigel::tests {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using testing::HasSubstr;
+
+/// As a script sees it: written, then parsed again.
+Json parsedReport(const tools::Report& report) {
+  const auto document = tools::reportJson(report);
+  EXPECT_TRUE(document) << (document ? "" : document.error().line());
+  return document ? Json::parse(tools::jsonText(*document, 1)) : Json();
+}
+
+std::vector<std::string> keys(const Json& object) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : object.items()) names.push_back(name);
+  return names;
+}
+
+TEST(ReportJson, HasTheNamesOfTheDesign) {
+  const Json json = parsedReport(madeUpReport());
+  EXPECT_THAT(keys(json), testing::IsSupersetOf({"effects", "objects"}));
+  ASSERT_EQ(json["objects"].size(), 2u);
+  for (const Json& object : json["objects"]) {
+    EXPECT_THAT(keys(object), testing::IsSupersetOf({"name", "triangles", "rigs", "scene"}));
+    ASSERT_EQ(object["rigs"].size(), 7u);
+    for (const Json& rig : object["rigs"]) {
+      EXPECT_THAT(keys(rig), testing::IsSupersetOf({"spec", "sh_vectors", "projections", "near_lights", "spatial",
+                                                    "total", "fit_us", "shade_ns_per_point", "bytes", "max_jump",
+                                                    "stages", "frames", "lights"}));
+      EXPECT_THAT(keys(rig["spatial"]), testing::ElementsAre("rms", "max"));
+      EXPECT_THAT(keys(rig["total"]), testing::ElementsAre("rms", "max"));
+      ASSERT_FALSE(rig["frames"].empty());
+      for (const Json& frame : rig["frames"])
+        EXPECT_THAT(keys(frame), testing::ElementsAre("time", "spatial_rms", "total_rms", "sh_vectors", "near"));
+      for (const Json& light : rig["lights"]) EXPECT_THAT(keys(light), testing::IsSupersetOf({"name", "type"}));
+    }
+  }
+}
+
+TEST(ReportJson, KeepsEveryValueToTheLastBit) {
+  tools::Report report = madeUpReport();
+  tools::RigReport& rig = report.scenes[0].objects[0].rigs[2];
+  rig.spatial.rms = 0.1 + 0.2;  // 0.30000000000000004
+  rig.total.max = std::numeric_limits<double>::denorm_min();
+  rig.fitMicroseconds = std::numeric_limits<double>::max();
+  const Json json = parsedReport(report);
+  const Json& written = json["objects"][0]["rigs"][2];
+  EXPECT_EQ(written["spec"], "mixed:l3,g,c");
+  EXPECT_EQ(written["spatial"]["rms"].get<double>(), rig.spatial.rms);
+  EXPECT_EQ(written["total"]["max"].get<double>(), rig.total.max);
+  EXPECT_EQ(written["fit_us"].get<double>(), rig.fitMicroseconds);
+  EXPECT_EQ(written["sh_vectors"], 6);
+  EXPECT_EQ(written["projections"], 12);
+  EXPECT_EQ(written["near_lights"], 0);
+  EXPECT_EQ(written["bytes"], 672);
+  EXPECT_EQ(written["stages"]["fit"].get<double>(), rig.stages[1].microseconds);
+  ASSERT_EQ(written["frames"].size(), 61u);
+  EXPECT_EQ(written["frames"][60]["time"].get<double>(), 2.0);
+  EXPECT_EQ(written["frames"][60]["total_rms"].get<double>(), rig.frames[60].totalRms);
+  EXPECT_EQ(written["frames"][60]["near"], Json::array());
+}
+
+TEST(ReportJson, FlattensScenesAndNamesThem) {
+  const Json json = parsedReport(madeUpReport());
+  EXPECT_EQ(json["objects"][0]["scene"], "sample:street");
+  EXPECT_EQ(json["objects"][1]["scene"], "characters/soldier1.gltf");
+  EXPECT_EQ(json["objects"][1]["scene_index"], 1);
+  EXPECT_EQ(json["effects"], Json({"point", "spot", "sphere", "wrap"})) << "each once, in order of appearance";
+  EXPECT_EQ(json["scenes"][0]["lights"].size(), 3u);
+  EXPECT_EQ(json["heat_map_colors"][4], "#fcfaa5");
+}
+
+TEST(ReportJson, LeavesOutWhatWasNotWritten) {
+  const Json json = parsedReport(madeUpReport());
+  const Json& truth = json["objects"][0]["pictures"][0];
+  EXPECT_EQ(truth["label"], "truth");
+  EXPECT_TRUE(truth.contains("image_png"));
+  EXPECT_FALSE(truth.contains("error_png"));
+  EXPECT_FALSE(truth.contains("image_exr"));
+}
+
+TEST(ReportJson, RefusesEveryNumberThatIsNotFinite) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  using Edit = void (*)(tools::ObjectReport&, double);
+  const std::pair<const char*, Edit> edits[] = {
+      {"object car: mean_irradiance", [](auto& object, double v) { object.meanIrradiance = v; }},
+      {"object car: truth movement", [](auto& object, double v) { object.truth[3].movement = v; }},
+      {"object car, rig gradient: spatial rms", [](auto& object, double v) { object.rigs[1].spatial.rms = v; }},
+      {"object car, rig gradient: total max", [](auto& object, double v) { object.rigs[1].total.max = v; }},
+      {"object car, rig gradient: max_jump", [](auto& object, double v) { object.rigs[1].maxJump = v; }},
+      {"object car, rig gradient: condition", [](auto& object, double v) { object.rigs[1].condition = v; }},
+      {"object car, rig gradient: total_rms", [](auto& object, double v) { object.rigs[1].frames[7].totalRms = v; }},
+      {"object car, rig gradient: project", [](auto& object, double v) { object.rigs[1].stages[0].microseconds = v; }},
+      {"object car: picture rms", [](auto& object, double v) { object.pictures[1].rms = v; }},
+  };
+  for (const auto& [place, edit] : edits) {
+    for (const double value : {nan, infinity, -infinity}) {
+      tools::Report report = madeUpReport();
+      edit(report.scenes[0].objects[0], value);
+      const auto document = tools::reportJson(report);
+      ASSERT_FALSE(document) << place << " = " << value;
+      EXPECT_THAT(document.error().line(), HasSubstr(place));
+      EXPECT_THAT(document.error().line(), HasSubstr("sample:street"));
+    }
+  }
+}
+
+TEST(ReportJson, CarriesAnyName) {
+  const Json json = parsedReport(hostileReport());
+  EXPECT_EQ(json["objects"][0]["name"], kHostileMarkup);
+  EXPECT_EQ(json["objects"][0]["scene"], kHostileQuotes);
+  EXPECT_EQ(json["objects"][0]["rigs"][0]["spec"], kHostileSpec);
+  EXPECT_EQ(json["scenes"][0]["notes"][1], "escape \x1b[2J bell \a");
+  EXPECT_THAT(json["scenes"][0]["lights"][0]["name"].get<std::string>(), HasSubstr("\xEF\xBF\xBD"))
+      << "bytes that are no UTF-8 become the replacement character";
+  EXPECT_THAT(json["scenes"][0]["lights"][0]["name"].get<std::string>(), HasSubstr(" no UTF-8 "));
+}
+
+TEST(ReportJson, EmptyReport) {
+  const Json json = parsedReport(tools::Report{});
+  EXPECT_EQ(json["objects"], Json::array());
+  EXPECT_EQ(json["effects"], Json::array());
+}
+
+}  // namespace
+}  // namespace rigel::tests

@@ -1,0 +1,38 @@
+#!/bin/sh
+# The report page in a browser: three reports must pass check_page.sh, and four with planted faults must not.
+# report_page_test.sh REPORT_FIXTURE_PROGRAM
+set -eu
+
+fixture=$1
+here=$(dirname "$0")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+for kind in made-up smallest hostile; do
+  "$fixture" $kind "$work/$kind" > /dev/null
+  echo "$kind:"
+  "$here/check_page.sh" "$work/$kind/report.html"
+done
+
+# A check that passes everything would pass these too.
+planted() {
+  if "$here/check_page.sh" "$work/planted.html" > "$work/out" 2>&1; then
+    echo "not noticed: $1" >&2
+    exit 1
+  fi
+  if ! grep -q "$2" "$work/out"; then
+    echo "noticed for another reason: $1" >&2
+    cat "$work/out" >&2
+    exit 1
+  fi
+  echo "noticed: $1"
+}
+page=$work/made-up/report.html
+{ cat "$page"; echo '<script>console.error("planted")</script>'; } > "$work/planted.html"
+planted 'an error on the console' 'the console is not empty'
+{ cat "$page"; echo '<img src="missing.png">'; } > "$work/planted.html"
+planted 'a picture that is not embedded' 'the console is not empty'
+sed 's/"ArrowRight": kWipeStep\|ArrowRight: kWipeStep/ArrowRight: 0/' "$page" > "$work/planted.html"
+planted 'a dead arrow key' 'failed: arrow right'
+sed 's/^const report = /const report = null; const unused = /' "$page" > "$work/planted.html"
+planted 'a script that stops half-way' 'the console is not empty'

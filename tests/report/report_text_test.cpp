@@ -1,0 +1,114 @@
+// The table on the terminal and the verdict under it.
+#include "report/report_text.h"
+
+#include "report/verdict.h"
+#include "report_fixture.h"
+
+#include <gmock/gmock.h>
+
+#include <sstream>
+
+namespace rigel::tests {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+std::vector<std::string> lines(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> result;
+  for (std::string line; std::getline(stream, line);) result.push_back(line);
+  return result;
+}
+
+std::size_t cells(const std::string& utf8) {
+  std::size_t count = 0;
+  for (const char c : utf8) count += (static_cast<unsigned char>(c) & 0xC0) != 0x80 ? 1u : 0u;
+  return count;
+}
+
+TEST(ReportText, ColumnsLineUp) {
+  tools::Report report = madeUpReport();
+  report.scenes[0].objects[0].rigs[1].spec =
+      "gr\xC3\xA4"
+      "dient";  // two bytes, one cell
+  report.scenes[0].objects[0].rigs[2].bytes = 123456789;
+  const std::vector<std::string> text = lines(tools::reportText(report));
+  ASSERT_GT(text.size(), 9u);
+  EXPECT_THAT(text[0], HasSubstr("car in sample:street, clip drive: 18432 triangles, 4096 surface samples, 61 frames"));
+  EXPECT_THAT(text[1], HasSubstr("SH vectors"));
+  std::size_t rows = 0;
+  for (std::size_t i = 2; i < 9; ++i, ++rows) EXPECT_EQ(cells(text[i]), cells(text[1])) << text[i];
+  EXPECT_EQ(rows, 7u);
+  // Figures end where their header ends.
+  const std::size_t end = text[1].find("SH vectors") + std::string("SH vectors").size();
+  EXPECT_EQ(text[2].substr(end - 2, 2), " 1") << text[2];
+  EXPECT_EQ(text[6].substr(end - 2, 2), "64") << text[6];
+}
+
+TEST(ReportText, MarksTheRigOfTheVerdict) {
+  const std::string text = tools::reportText(madeUpReport());
+  EXPECT_THAT(text, HasSubstr("  > poly:12 "));
+  EXPECT_THAT(text,
+              HasSubstr("poly:12 is the cheapest rig (12 SH vectors) within 10 % of the least error: total RMS 8.15 %, "
+                        "spatial RMS 4.7 %, against 8.01 % and 4.5 % for lattice:8x4x2 (64 SH vectors)."));
+  EXPECT_THAT(text, HasSubstr("  note: material paint"));
+}
+
+TEST(ReportText, NamesCannotMoveTheCursor) {
+  tools::Report report = hostileReport();
+  report.scenes[0].objects[0].name =
+      "a\x1b[2Jb\rc\nd\te\x7f"
+      "f\xC2\x9Bg\xC3\xA9";
+  const std::string text = tools::reportText(report);
+  EXPECT_THAT(text, HasSubstr("a?[2Jb?c?d?e?f?g\xC3\xA9 in"));
+  for (const char c : text) EXPECT_TRUE(c == '\n' || static_cast<unsigned char>(c) >= 0x20) << static_cast<int>(c);
+}
+
+TEST(ReportText, NothingMeasured) {
+  tools::Report report = smallestReport();
+  report.scenes[0].objects[0].rigs.clear();
+  EXPECT_EQ(lines(tools::reportText(report)).size(), 1u);
+  EXPECT_EQ(tools::reportText(tools::Report{}), "");
+}
+
+tools::ObjectReport objectWith(std::initializer_list<std::tuple<const char*, int, int, double>> rigs) {
+  tools::ObjectReport object;
+  object.meanIrradiance = 1;
+  for (const auto& [spec, shVectors, projections, rms] : rigs) {
+    tools::RigReport rig;
+    rig.spec = spec;
+    rig.shVectors = shVectors;
+    rig.projections = projections;
+    rig.total.rms = rms;
+    object.rigs.push_back(rig);
+  }
+  return object;
+}
+
+TEST(Verdict, CheapestWithinATenthOfTheBest) {
+  const auto chosen = [](const tools::ObjectReport& object) {
+    return object.rigs[tools::verdictOf(object)->chosen].spec;
+  };
+  EXPECT_EQ(chosen(objectWith({{"a", 64, 64, 0.100}, {"b", 12, 24, 0.109}, {"c", 4, 4, 0.111}})), "b");
+  EXPECT_EQ(chosen(objectWith({{"a", 64, 64, 0.100}, {"b", 12, 24, 0.120}})), "a")
+      << "the best where nothing else is near it";
+  EXPECT_EQ(chosen(objectWith({{"a", 6, 12, 0.100}, {"b", 6, 6, 0.105}})), "b") << "same size: fewer projections";
+  EXPECT_EQ(chosen(objectWith({{"a", 6, 6, 0.105}, {"b", 6, 6, 0.100}})), "b") << "same cost: less error";
+  EXPECT_EQ(chosen(objectWith({{"a", 6, 6, 0.0}, {"b", 1, 1, 0.0}})), "b") << "no error at all";
+}
+
+TEST(Verdict, SaysWhatItCannotSay) {
+  EXPECT_FALSE(tools::verdictOf(tools::ObjectReport{}));
+  EXPECT_THAT(tools::verdictOf(objectWith({{"a", 1, 1, 0.3}}))->sentence,
+              HasSubstr("Only a was measured (1 SH vector)"));
+  tools::ObjectReport dark = objectWith({{"a", 1, 1, 0.0}, {"b", 4, 4, 0.0}});
+  dark.meanIrradiance = 0;
+  EXPECT_THAT(tools::verdictOf(dark)->sentence, HasSubstr("No light reaches"));
+  const auto clear = objectWith({{"a", 1, 1, 0.3}, {"b", 4, 4, 0.1}});
+  EXPECT_THAT(tools::verdictOf(clear)->sentence,
+              HasSubstr("b has the least error, and no rig within 10 % of it is cheaper"));
+}
+
+}  // namespace
+}  // namespace rigel::tests
