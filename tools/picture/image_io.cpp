@@ -1,0 +1,116 @@
+#include "picture/image_io.h"
+
+#include "picture/file_replace.h"
+
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfInputFile.h>
+#include <ImfOutputFile.h>
+#include <half.h>
+#include <png.h>
+
+#include <cstdio>
+#include <fstream>
+#include <stdexcept>
+
+namespace rigel::tools {
+namespace {
+
+constexpr const char* kChannels[4] = {"R", "G", "B", "A"};
+
+/// R, G, B, A interleaved.
+template <class T>
+std::vector<T> interleave(const Image& image) {
+  std::vector<T> out(4 * image.pixelCount());
+  for (std::size_t i = 0; i < image.pixelCount(); ++i) {
+    for (std::size_t c = 0; c < 3; ++c) out[4 * i + c] = T(image.rgb[3 * i + c]);
+    out[4 * i + 3] = T(image.coverage[i]);
+  }
+  return out;
+}
+
+template <class T>
+void writeExrAs(const Image& image, const std::filesystem::path& file, Imf::PixelType type) {
+  std::vector<T> data = interleave<T>(image);
+  Imf::Header header(image.width, image.height);
+  header.compression() = Imf::ZIP_COMPRESSION;
+  Imf::FrameBuffer frame;
+  for (std::size_t c = 0; c < 4; ++c) {
+    header.channels().insert(kChannels[c], Imf::Channel(type));
+    frame.insert(kChannels[c], Imf::Slice(type, reinterpret_cast<char*>(data.data() + c), 4 * sizeof(T),
+                                          4 * sizeof(T) * static_cast<std::size_t>(image.width)));
+  }
+  Imf::OutputFile out(file.string().c_str(), header);
+  out.setFrameBuffer(frame);
+  out.writePixels(image.height);
+}
+
+Result<std::vector<std::uint8_t>> pngFailure(const png_image& png) {
+  return Error{std::string("PNG: ") + png.message, ""};
+}
+
+}  // namespace
+
+Result<std::size_t> writeExr(const Image& image, const std::filesystem::path& file, ExrDepth depth) {
+  return replaceFile(file, [&](const std::filesystem::path& aside) {
+    if (depth == ExrDepth::half) {
+      writeExrAs<half>(image, aside, Imf::HALF);
+    } else {
+      writeExrAs<float>(image, aside, Imf::FLOAT);
+    }
+  });
+}
+
+Result<Image> readExr(const std::filesystem::path& file) {
+  try {
+    Imf::InputFile in(file.string().c_str());
+    const Imath::Box2i window = in.header().dataWindow();
+    for (const char* name : {"R", "G", "B"}) {
+      if (!in.header().channels().findChannel(name)) {
+        return Error{std::string("has no channel ") + name, file.string()};
+      }
+    }
+    Image image(window.max.x - window.min.x + 1, window.max.y - window.min.y + 1);
+    const auto width = static_cast<std::size_t>(image.width);
+    Imf::FrameBuffer frame;
+    for (std::size_t c = 0; c < 3; ++c) {
+      frame.insert(kChannels[c], Imf::Slice::Make(Imf::FLOAT, image.rgb.data() + c, window, 3 * sizeof(float),
+                                                  3 * sizeof(float) * width));
+    }
+    frame.insert("A", Imf::Slice::Make(Imf::FLOAT, image.coverage.data(), window, sizeof(float), sizeof(float) * width,
+                                       1, 1, 1.0));
+    in.setFrameBuffer(frame);
+    in.readPixels(window.min.y, window.max.y);
+    return image;
+  } catch (const std::exception& e) {
+    return Error{std::string("cannot read: ") + e.what(), file.string()};
+  }
+}
+
+Result<std::vector<std::uint8_t>> encodePng(const Image8& image) {
+  if (image.width < 1 || image.height < 1) return Error{"PNG: a picture without pixels", ""};
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  png.width = static_cast<png_uint_32>(image.width);
+  png.height = static_cast<png_uint_32>(image.height);
+  png.format = PNG_FORMAT_RGB;
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
+  std::vector<std::uint8_t> bytes(size);
+  if (!png_image_write_to_memory(&png, bytes.data(), &size, 0, image.pixels.data(), 0, nullptr)) return pngFailure(png);
+  bytes.resize(size);
+  return bytes;
+}
+
+Result<std::size_t> writePng(const Image8& image, const std::filesystem::path& file) {
+  const Result<std::vector<std::uint8_t>> bytes = encodePng(image);
+  if (!bytes) return Error{bytes.error().message, file.string()};
+  return replaceFile(file, [&](const std::filesystem::path& aside) {
+    std::ofstream out(aside, std::ios::binary);
+    out.write(reinterpret_cast<const char*>(bytes->data()), static_cast<std::streamsize>(bytes->size()));
+    out.close();
+    if (!out) throw std::filesystem::filesystem_error("write", std::make_error_code(std::errc::io_error));
+  });
+}
+
+}  // namespace rigel::tools

@@ -1,0 +1,24 @@
+// OpenEXR and PNG files. Written aside and renamed: a failure leaves neither a half-written file nor a stray one.
+#pragma once
+
+#include "picture/image.h"
+
+#include <rigel/result.h>
+
+#include <filesystem>
+
+namespace rigel::tools {
+
+enum class ExrDepth { half, full };
+
+/// Channels R, G, B and A (coverage), ZIP compressed. On success returns the bytes written.
+Result<std::size_t> writeExr(const Image& image, const std::filesystem::path& file, ExrDepth depth = ExrDepth::half);
+
+/// Reads R, G, B (which must be there) and A (1 without).
+Result<Image> readExr(const std::filesystem::path& file);
+
+/// 8-bit RGB, marked as sRGB.
+Result<std::vector<std::uint8_t>> encodePng(const Image8& image);
+Result<std::size_t> writePng(const Image8& image, const std::filesystem::path& file);
+
+}  // namespace rigel::tools
