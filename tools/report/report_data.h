@@ -2,7 +2,6 @@
 // summary on the terminal. Field names follow report.json.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -33,11 +32,11 @@ struct RigReport {
   int projections = 0;
   ErrorFigures spatial;
   ErrorFigures total;
-  double fitMicroseconds = 0;        // median over frames: refresh + project + fit
+  double fitMicroseconds = 0;  // median over frames: refresh + project + fit
   double shadeNanosecondsPerPoint = 0;
   std::size_t bytes = 0;
-  double maxJump = 0;     // DESIGN section 2
-  double condition = 1;   // worst condition number of the fit over the frames; 1 where nothing is solved
+  double maxJump = 0;    // DESIGN section 2
+  double condition = 1;  // worst condition number of the fit over the frames; 1 where nothing is solved
   std::vector<StageTime> stages;
   std::vector<RigFrame> frames;
 };
@@ -51,12 +50,13 @@ struct TruthFrame {
 
 /// One picture of the gallery: PNG files relative to the report directory, plus the bytes for embedding.
 struct Picture {
-  std::string label;    // "truth", or a rig spec
+  std::string label;  // "truth", or a rig spec
   double time = 0;
   int frame = 0;
-  std::string imagePng, imageExr;        // "" where not written
-  std::string errorPng, errorExr;        // heat map; "" for the truth
-  double rms = 0;       // of the picture's covered pixels, relative to their mean exact irradiance
+  std::string imagePng, imageExr;  // "" where not written
+  std::string errorPng, errorExr;  // heat map; "" for the truth
+  double heatMapMax = 0;           // relative error at the top of the heat map's scale
+  double rms = 0;                  // of the picture's covered pixels, relative to their mean exact irradiance
   std::vector<std::uint8_t> imageBytes, errorBytes;  // the PNG files' content
 };
 
@@ -73,15 +73,15 @@ struct ObjectReport {
 struct LightRow {
   std::string name;
   std::string type;
-  std::string summary;   // "I 40 40 36 W/sr, radius 0.05 m"
+  std::string summary;  // "I 40 40 36 W/sr, radius 0.05 m"
 };
 
 struct SceneReport {
-  std::string scene;      // as given on the command line
-  std::string clip;       // "" for a still scene
-  std::string lightsFrom; // --lights, or ""
+  std::string scene;       // as given on the command line
+  std::string clip;        // "" for a still scene
+  std::string lightsFrom;  // --lights, or ""
   int frames = 0;
-  double seconds = 0;     // wall time spent on it
+  double seconds = 0;  // wall time spent on it
   std::vector<std::string> effects;
   std::vector<std::string> notes;
   std::vector<LightRow> lights;
@@ -93,8 +93,6 @@ struct Report {
   std::string commandLine;
   int bands = 3;
   double exposure = 1;
-  double heatMapMax = 0.25;  // relative error at the top of the heat map's scale
-  std::vector<std::array<std::uint8_t, 3>> heatMapColors;  // sRGB, evenly spaced from no error to heatMapMax
   std::vector<SceneReport> scenes;
 };
 

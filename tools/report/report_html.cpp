@@ -1,8 +1,11 @@
 #include "report/report_html.h"
 
+#include "picture/heat_map.h"
 #include "report/base64.h"
 #include "report/page_files.h"
 #include "report/report_json.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cassert>
@@ -22,6 +25,18 @@ std::string concatenated(std::string_view extension) {
 }
 
 std::string dataUri(const std::vector<std::uint8_t>& png) { return "data:image/png;base64," + base64(png); }
+
+/// The heat map's colours from no error to the top of its scale, as a style sheet writes them.
+Json heatMapColors() {
+  constexpr int kStops =
+      17;  // between stops a browser blends in sRGB: by fewer than two steps of 255 off the map's curve
+  Json colors = Json::array();
+  for (int i = 0; i < kStops; ++i) {
+    const Rgb8 color = heatColour(static_cast<float>(i) / (kStops - 1));
+    colors.push_back(fmt::format("#{:02x}{:02x}{:02x}", color.r, color.g, color.b));
+  }
+  return colors;
+}
 
 /// The pictures as data URIs, in the order of the document's objects and their pictures.
 Json embeddedPictures(const Report& report) {
@@ -75,10 +90,11 @@ std::string scriptSafeJson(const nlohmann::ordered_json& document) {
 }
 
 std::string reportHtml(const Report& report, const nlohmann::ordered_json& document) {
-  return fill(concatenated(".html"), {{"STYLE", concatenated(".css")},
-                                      {"SCRIPT", concatenated(".js")},
-                                      {"DATA", scriptSafeJson(document)},
-                                      {"PICTURES", scriptSafeJson(embeddedPictures(report))}});
+  return fill(concatenated(".html"),
+              {{"STYLE", concatenated(".css")},
+               {"SCRIPT", concatenated(".js")},
+               {"DATA", scriptSafeJson(document)},
+               {"PICTURES", scriptSafeJson({{"colors", heatMapColors()}, {"objects", embeddedPictures(report)}})}});
 }
 
 }  // namespace rigel::tools

@@ -27,18 +27,10 @@ class Writer {
       for (const ObjectReport& objectReport : sceneReport.objects)
         objects.push_back(object(objectReport, sceneReport, i));
     }
-    Json colors = Json::array();
-    for (const auto& color : report.heatMapColors)
-      colors.push_back(fmt::format("#{:02x}{:02x}{:02x}", color[0], color[1], color[2]));
     place_ = "report";
-    return {{"version", report.version},
-            {"command", report.commandLine},
-            {"bands", report.bands},
-            {"exposure", number(report.exposure, "exposure")},
-            {"heat_map_max", number(report.heatMapMax, "heat_map_max")},
-            {"heat_map_colors", std::move(colors)},
-            {"effects", std::move(effects)},
-            {"scenes", std::move(scenes)},
+    return {{"version", report.version},     {"command", report.commandLine},
+            {"bands", report.bands},         {"exposure", number(report.exposure, "exposure")},
+            {"effects", std::move(effects)}, {"scenes", std::move(scenes)},
             {"objects", std::move(objects)}};
   }
 
@@ -138,6 +130,7 @@ class Writer {
     };
     addFile("image_png", report.imagePng);
     addFile("image_exr", report.imageExr);
+    if (report.heatMapMax > 0) result["heat_map_max"] = number(report.heatMapMax, "heat_map_max");
     addFile("error_png", report.errorPng);
     addFile("error_exr", report.errorExr);
     return result;

@@ -88,19 +88,21 @@ function setPicture(image, source, description) {
 
 function heatView() {
   const image = element('img', {alt: '', draggable: 'false'});
-  const tag = element('span', {class: 'tag left'}, 'difference');
-  const node = element('figure', {class: 'heat'}, element('div', {class: 'stage'}, image, tag), heatScale(),
-    element('figcaption', {}, 'Difference from the truth, relative to the mean irradiance of the truth.'));
-  return {node, show: (rig) => setPicture(image, rig?.error, `difference of ${rig?.label} from the truth`)};
-}
-
-/** The colours of the heat map with their errors; the last one also stands for everything above. */
-function heatScale() {
+  const tag = element('span', {class: 'tag top'}, 'difference');
   const ramp = element('div', {class: 'ramp', 'aria-hidden': 'true'});
-  if (report.heat_map_colors.length > 1) ramp.style.background = `linear-gradient(to right, ${report.heat_map_colors.join(', ')})`;
-  const ticks = [0, 0.25, 0.5, 0.75, 1].map((share) =>
-    element('span', {}, (share === 1 ? '≥ ' : '') + (share === 0 ? '0' : `${tickLabel(100 * share * report.heat_map_max)}\u00a0%`)));
-  return element('div', {class: 'scale'}, report.heat_map_colors.length > 1 ? ramp : null, element('div', {class: 'ticks'}, ...ticks));
+  ramp.style.background = `linear-gradient(to right, ${embedded.colors.join(', ')})`;
+  const ticks = element('div', {class: 'ticks'});
+  const node = element('figure', {class: 'heat'}, element('div', {class: 'stage'}, image, tag), element('div', {class: 'scale'}, ramp, ticks),
+    element('figcaption', {}, 'Difference from the truth, relative to the mean irradiance of the truth. One scale for all rigs of a frame.'));
+  return {
+    node,
+    show(rig) {
+      setPicture(image, rig?.error, `difference of ${rig?.label} from the truth`);
+      // The top colour also stands for everything above it.
+      ticks.replaceChildren(...(rig?.top ? [0, 0.25, 0.5, 0.75, 1] : []).map((share) => element('span', {},
+        (share === 1 ? '≥ ' : '') + (share ? `${tickLabel(100 * share * rig.top)}\u00a0%` : '0'))));
+    },
+  };
 }
 
 function pictureFigures(object, picture, time) {

@@ -6,13 +6,13 @@ function objectSection(object, index) {
   const section = element('section', {class: 'object', id: `object-${index}`}, element('h2', {}, object.name),
     element('p', {class: 'facts'}, [sceneTitle(sceneOf(object)), plural(object.triangles, 'triangle'), plural(object.samples, 'surface sample'),
       plural(sceneOf(object).frames, 'frame'), `mean irradiance ${figure(object.mean_irradiance)} W/m²`].join(' · ')));
-  if (object.verdict) section.append(verdictSentence(object));
+  if (object.verdict && report.objects.length > 1) section.append(verdictSentence(object));
   if (frames.length) section.append(gallery(object, frames, store));
   if (!object.rigs.length) return section;
   section.append(rigTable(object, store));
   const charts = element('div', {class: 'charts'});
   if (object.truth.length > 1) charts.append(timeChart(object, frames, store));
-  charts.append(costChart(object, store));
+  if (object.rigs.length > 1) charts.append(costChart(object, store));
   section.append(charts);
   return section;
 }

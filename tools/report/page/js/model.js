@@ -38,15 +38,15 @@ function paretoRigs(rigs, costOf, errorOf) {
 
 const currentPareto = (rigs, {cost, error}) => paretoRigs(rigs, costNamed(cost).get, (rig) => rig[error].rms);
 
-/** Pictures by frame: [{frame, time, pictures: [{label, rms, image, error}]}], truth first. */
+/** Pictures by frame: [{frame, time, pictures: [{label, rms, image, error, top}]}], truth first. */
 function pictureFrames(objectIndex) {
   const frames = [];
   report.objects[objectIndex].pictures.forEach((picture, i) => {
-    const {image, error} = embedded[objectIndex][i];
+    const {image, error} = embedded.objects[objectIndex][i];
     if (!image) return;
     let frame = frames.find((candidate) => candidate.frame === picture.frame);
     if (!frame) frames.push(frame = {frame: picture.frame, time: picture.time, pictures: []});
-    frame.pictures.push({label: picture.label, rms: picture.rms, image, error});
+    frame.pictures.push({label: picture.label, rms: picture.rms, top: picture.heat_map_max, image, error});
   });
   return frames;
 }

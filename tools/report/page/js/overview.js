@@ -30,7 +30,7 @@ function verdictSentence(object) {
   return element('p', {class: 'verdict'}, sentence.slice(0, at), name, sentence.slice(at + spec.length));
 }
 
-/** RMS of every rig on every object, and the geometric mean of each rig over the objects that have it. */
+/** RMS of every rig on every object, and the geometric mean of each rig measured on all of them. */
 function matrix() {
   const body = element('tbody');
   const foot = element('tfoot');
@@ -67,7 +67,7 @@ function matrixRow(object, index, error) {
 
 function geometricMean(spec, error) {
   const values = report.objects.flatMap((object) => object.rigs.filter((rig) => rig.spec === spec)).map((rig) => rig[error].rms);
-  if (values.some((value) => value <= 0)) return '–';
+  if (values.length < report.objects.length || values.some((value) => value <= 0)) return '–';
   return figure(100 * Math.exp(values.reduce((sum, value) => sum + Math.log(value), 0) / values.length));
 }
 

@@ -1,0 +1,13 @@
+// What our kernels are compared with.
+#pragma once
+
+#include <rigel/light.h>
+#include <rigel/sh.h>
+
+namespace rigel::tools {
+
+/// The textbook projection of a sphere light into 3-band SH, scalar, in float: cap half-angle by asin, zonal
+/// coefficients by cos and sin, turned to the light's direction with the basis. It loses all digits for small r/d.
+void projectSphereTextbook(const SphereLight& light, Vec3 p, RadianceSH<3>& sum);
+
+}  // namespace rigel::tools

@@ -1,0 +1,195 @@
+#include "bench/figures.h"
+
+#include "bench/baselines.h"
+
+#include <rigel/rig_light.h>
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <map>
+#include <random>
+#include <regex>
+
+namespace rigel::tools {
+namespace {
+
+using Sh = RadianceSH<3>;
+
+// A body about the size of a person, and lights one to ten metres off it.
+std::vector<Vec3> bodySurface() {
+  std::vector<Vec3> points;
+  for (int i = 0; i < 600; ++i) {
+    const float z = 1 - (2 * static_cast<float>(i) + 1) / 600;
+    const float phi = static_cast<float>(i) * 2.3999632f;
+    const float s = std::sqrt(1 - z * z);
+    points.push_back({0.3f * s * std::cos(phi), 0.9f * z, 0.2f * s * std::sin(phi)});
+  }
+  return points;
+}
+
+LightSet sphereLights(int count) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> unit(-1, 1);
+  LightSet lights;
+  while (lights.size() < count) {
+    const Vec3 p{10 * unit(random), 10 * unit(random), 10 * unit(random)};
+    if (length(p) > 2) lights.add(SphereLight{p, 0.1f + 0.05f * unit(random), {3, 2, 1}});
+  }
+  return lights;
+}
+
+struct Case {
+  std::string name;
+  std::string unit;
+  double perIteration = 1;  // items: lights x points, characters, points
+  double nanosecondsPerUnit = 1;
+  std::string baseline;
+  std::function<void(benchmark::State&)> body;
+};
+
+const std::vector<Vec3>& samplePoints() {
+  static const std::vector<Vec3> points = [] {
+    const auto surface = bodySurface();
+    return std::vector<Vec3>(surface.begin(), surface.begin() + 12);
+  }();
+  return points;
+}
+
+void addProjectionCases(std::vector<Case>& cases) {
+  for (int n : {8, 64, 1024}) {
+    const auto lights = std::make_shared<LightSet>(sphereLights(n));
+    const double items = n * static_cast<double>(samplePoints().size());
+    const std::string suffix = ".n" + std::to_string(n);
+    cases.push_back({"project.textbook" + suffix, "ns/light/point", items, 1, "", [lights](benchmark::State& state) {
+                       for (auto _ : state)
+                         for (Vec3 p : samplePoints()) {
+                           Sh sum;
+                           for (int i = 0; i < lights->sphereCount(); ++i)
+                             projectSphereTextbook(lights->sphere(i), p, sum);
+                           benchmark::DoNotOptimize(sum);
+                         }
+                     }});
+    cases.push_back({"project.sphere" + suffix, "ns/light/point", items, 1, "project.textbook" + suffix,
+                     [lights](benchmark::State& state) {
+                       for (auto _ : state)
+                         for (Vec3 p : samplePoints()) {
+                           Sh sum = project<3>(*lights, p);
+                           benchmark::DoNotOptimize(sum);
+                         }
+                     }});
+    cases.push_back({"project.sphere_gradient" + suffix, "ns/light/point", items, 1, "project.textbook" + suffix,
+                     [lights](benchmark::State& state) {
+                       for (auto _ : state)
+                         for (Vec3 p : samplePoints()) {
+                           auto sum = projectWithGradient<3>(*lights, p);
+                           benchmark::DoNotOptimize(sum);
+                         }
+                     }});
+  }
+}
+
+/// A whole character: refresh, project and fit under 64 lights; and shading it at a point.
+void addRigCases(std::vector<Case>& cases) {
+  const auto lights = std::make_shared<LightSet>(sphereLights(64));
+  for (const std::string text :
+       {"constant", "gradient", "mixed:l3,g,c", "lattice:3x2x2", "lattice:8x4x2", "poly:6", "poly:12"}) {
+    struct Fitted {
+      std::vector<Vec3> surface = bodySurface();
+      Rig rig;
+      std::vector<Vec3> anchors;
+      std::vector<Sh> functionals, coefficients;
+      RigBox box{{-0.3f, -0.9f, -0.2f}, {0.3f, 0.9f, 0.2f}};
+      explicit Fitted(const std::string& spec) : rig(*Rig::create(*parseRigSpec(spec), {box, surface})) {
+        for (int i : rig.anchors()) anchors.push_back(surface[i]);
+        functionals.resize(rig.projections());
+        coefficients.resize(rig.shVectors());
+      }
+    };
+    const auto fitted = std::make_shared<Fitted>(text);
+    cases.push_back({"fit." + text, "us/character", 1, 1e3, text == std::string("constant") ? "" : "fit.constant",
+                     [fitted, lights](benchmark::State& state) {
+                       for (auto _ : state) {
+                         fitted->rig.setPose({fitted->box, fitted->anchors});
+                         projectSamples<3>(fitted->rig, {}, *lights, fitted->functionals);
+                         fitRig<3>(fitted->rig, fitted->functionals, fitted->coefficients);
+                         benchmark::DoNotOptimize(fitted->coefficients.data());
+                       }
+                     }});
+    cases.push_back({"shade." + text, "ns/point", 600, 1, text == std::string("constant") ? "" : "shade.constant",
+                     [fitted](benchmark::State& state) {
+                       const auto f = wrapCoefficients<3>(0);
+                       for (auto _ : state)
+                         for (Vec3 p : fitted->surface) {
+                           Rgb e = irradiance<3>(evaluateRig<3>(fitted->rig, fitted->coefficients, p), f, {0, 1, 0});
+                           benchmark::DoNotOptimize(e);
+                         }
+                     }});
+  }
+}
+
+std::vector<Case> allCases() {
+  std::vector<Case> cases;
+  addProjectionCases(cases);
+  addRigCases(cases);
+  return cases;
+}
+
+/// Keeps the median CPU time an iteration [ns] of every benchmark; prints nothing.
+class MedianReporter final : public benchmark::BenchmarkReporter {
+ public:
+  bool ReportContext(const Context&) override { return true; }
+  void ReportRuns(const std::vector<Run>& runs) override {
+    for (const Run& run : runs)
+      if (run.run_type == Run::RT_Aggregate ? run.aggregate_name == "median" : run.repetitions <= 1)
+        nanoseconds[run.run_name.function_name] =
+            run.GetAdjustedCPUTime() * 1e9 / benchmark::GetTimeUnitMultiplier(run.time_unit);
+  }
+  std::map<std::string, double> nanoseconds;
+};
+
+}  // namespace
+
+Result<std::vector<Figure>> measureFigures(const std::string& filter, int repetitions) {
+  std::regex wanted;
+  try {
+    wanted = std::regex(filter);
+  } catch (const std::regex_error&) {
+    return Error{"not a regular expression", "--filter " + filter};
+  }
+  const std::vector<Case> cases = allCases();
+  std::map<std::string, bool> selected;
+  bool any = false;
+  for (const Case& c : cases) {
+    if (!std::regex_search(c.name, wanted)) continue;
+    any = true;
+    selected[c.name] = true;
+    if (!c.baseline.empty()) selected.emplace(c.baseline, false);
+  }
+  if (!any) return Error{"matches no figure", "--filter " + filter};
+
+  benchmark::ClearRegisteredBenchmarks();
+  for (const Case& c : cases)
+    if (selected.contains(c.name))
+      benchmark::RegisterBenchmark(c.name.c_str(), c.body)->Repetitions(repetitions)->MinTime(0.05);
+  // Interleaved repetitions: a burst of other load hits figure and baseline alike.
+  std::string arguments[] = {"rigel", "--benchmark_enable_random_interleaving=true"};
+  char* argv[] = {arguments[0].data(), arguments[1].data()};
+  int argc = 2;
+  benchmark::Initialize(&argc, argv);
+  MedianReporter reporter;
+  benchmark::RunSpecifiedBenchmarks(&reporter, ".*");
+
+  std::vector<Figure> figures;
+  const auto perItem = [&](const Case& c) { return reporter.nanoseconds.at(c.name) / c.perIteration; };
+  for (const Case& c : cases) {
+    if (const auto found = selected.find(c.name); found == selected.end() || !found->second) continue;
+    Figure figure{c.name, perItem(c) / c.nanosecondsPerUnit, c.unit, c.baseline, 0};
+    for (const Case& base : cases)
+      if (base.name == c.baseline) figure.ratio = perItem(base) / perItem(c);
+    figures.push_back(std::move(figure));
+  }
+  return figures;
+}
+
+}  // namespace rigel::tools

@@ -1,0 +1,23 @@
+// The benchmark figures, measured with Google Benchmark in one process.
+#pragma once
+
+#include <rigel/result.h>
+
+#include <string>
+#include <vector>
+
+namespace rigel::tools {
+
+struct Figure {
+  std::string name;      // project.sphere.n64
+  double value = 0;      // median CPU time
+  std::string unit;      // "ns/light/point", "us/character", "ns/point"
+  std::string baseline;  // what it is compared with, or ""
+  double ratio = 0;      // baseline time / own time: above 1 is faster
+};
+
+/// All figures whose name matches the regular expression `filter`. Baselines that they need are run whatever the
+/// filter. Error: the filter is no regular expression, or matches nothing.
+Result<std::vector<Figure>> measureFigures(const std::string& filter, int repetitions);
+
+}  // namespace rigel::tools

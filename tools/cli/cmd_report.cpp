@@ -1,0 +1,127 @@
+// rigel report: the main job. Fits rigs frame by frame, compares them with the truth, writes the report.
+#include "cli/command.h"
+#include "cli/progress_line.h"
+#include "report/report_json.h"
+#include "report/report_text.h"
+#include "report/scene_run.h"
+#include "report/write_report.h"
+
+#include <rigel/sh.h>
+#include <rigel/wrap.h>
+
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace rigel::tools {
+namespace {
+
+constexpr const char* kDefaultRigs = "constant;gradient;mixed:l3,g,c;lattice:3x2x2;lattice:8x4x2;poly:6;poly:12";
+
+struct Arguments {
+  std::vector<std::string> scenes;
+  std::string rigs = kDefaultRigs;
+  std::string clip;
+  std::string frames = "0:";
+  float wrap = 0;
+  CLI::Option* wrapGiven = nullptr;
+  int bands = kDefaultBands;
+  float exposure = 1;
+  std::string lights;
+  bool noImages = false;
+  bool json = false;
+  bool quiet = false;
+  std::string out;
+};
+
+Result<RunOptions> parse(const Arguments& arguments) {
+  RunOptions options;
+  auto rigs = parseRigSpecs(arguments.rigs);
+  if (!rigs) return rigs.error();
+  const auto frames = parseFrameRange(arguments.frames);
+  if (!frames) return frames.error();
+  options.scenes = arguments.scenes;
+  options.rigs = *std::move(rigs);
+  options.clip = arguments.clip;
+  options.frames = *frames;
+  if (arguments.wrapGiven->count() > 0) options.wrap = arguments.wrap;
+  options.bands = arguments.bands;
+  options.exposure = arguments.exposure;
+  options.lights = arguments.lights;
+  options.images = !arguments.noImages;
+  return options;
+}
+
+/// The command as typed, for the report's foot; the program by its name alone.
+std::string commandLine(const Arguments& a) {
+  std::string line = "rigel report";
+  for (const std::string& scene : a.scenes) line += " " + scene;
+  line += " --rig \"" + a.rigs + "\"";
+  if (!a.clip.empty()) line += " --clip " + a.clip;
+  if (a.frames != "0:") line += " --frames " + a.frames;
+  if (a.wrapGiven->count() > 0) line += fmt::format(" --wrap {}", a.wrap);
+  if (a.bands != kDefaultBands) line += fmt::format(" --bands {}", a.bands);
+  if (a.exposure != 1) line += fmt::format(" --exposure {}", a.exposure);
+  if (!a.lights.empty()) line += " --lights " + a.lights;
+  if (a.noImages) line += " --no-images";
+  return line + " --out " + a.out;
+}
+
+int runReportCommand(const Arguments& arguments) {
+  const auto options = parse(arguments);
+  if (!options) return fail(kExitBadUse, options.error().line());
+
+  const std::filesystem::path out(arguments.out);
+  auto report = [&] {
+    ProgressLine progress(arguments.quiet);
+    return runReport(*options, out / "images", [&](double share, const std::string& what) { progress(share, what); });
+  }();
+  if (!report) return fail(kExitBadInput, report.error().line());
+  report->version = RIGEL_VERSION;
+  report->commandLine = commandLine(arguments);
+
+  const auto written = writeReport(*report, out);
+  if (!written) return fail(kExitBadInput, written.error().line());
+  if (arguments.json) {
+    fmt::print("{}\n", jsonText(*reportJson(*report), -1));  // written above, so it is sound
+  } else {
+    fmt::print("{}\n{}\n", reportText(*report), written->html.string());
+  }
+  return kExitOk;
+}
+
+}  // namespace
+
+Command addReport(CLI::App& root) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* app =
+      root.add_subcommand("report", "Fit rigs to an animated scene, compare them with the truth, write a report");
+  app->add_option("SCENE", arguments->scenes, "glTF files (.gltf, .glb) or sample:NAME (see: rigel sample --list)")
+      ->required();
+  app->add_option("--rig", arguments->rigs, "Rig specs, separated by ';'")->capture_default_str();
+  app->add_option("--clip", arguments->clip, "Animation clip by name, or 'all' [the first]");
+  app->add_option("--frames", arguments->frames, "FIRST:LAST:STEP in frames of the clip, 30 a second")
+      ->capture_default_str();
+  arguments->wrapGiven =
+      app->add_option("--wrap", arguments->wrap, "Wrap reflectance of everything; 0 is Lambert [the materials']")
+          ->check(CLI::Range(kMinWrap, kMaxWrap));
+  app->add_option("--bands", arguments->bands, "SH bands")
+      ->capture_default_str()
+      ->check(CLI::Range(kMinBands, kMaxBands));
+  app->add_option("--lights", arguments->lights, "Take the lights of another scene, scaled to this one's size");
+  app->add_option("--exposure", arguments->exposure, "Multiplies all light")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+  app->add_flag("--no-images", arguments->noImages, "Leave the pictures out");
+  app->add_flag("--json", arguments->json, "Print report.json on standard output instead of the table");
+  app->add_flag("--quiet", arguments->quiet, "No progress on standard error");
+  app->add_option("--out", arguments->out, "Directory for report.html, report.json and images/")->required();
+  app->footer(
+      "Rig models: constant, gradient, lattice:AxBxC[:linear|smooth|cubic], mixed:m1,m2,m3 (c, g or lN an axis, by\n"
+      "decreasing extent of the object; xyz: before them pins the axes), poly:K. Suffix @corners, @numeric or @lsq\n"
+      "picks how parameters are computed.\n\n"
+      "Example: rigel report sample:street --rig \"gradient;poly:6\" --out street");
+  return {app, [arguments] { return runReportCommand(*arguments); }};
+}
+
+}  // namespace rigel::tools

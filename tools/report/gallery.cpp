@@ -1,0 +1,208 @@
+#include "report/gallery.h"
+
+#include "picture/heat_map.h"
+#include "picture/image_io.h"
+#include "picture/shade_exact.h"
+#include "picture/tone_map.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rigel::tools {
+namespace {
+
+constexpr int kWidth = 560;
+constexpr int kHeight = 420;
+// Point lights are drawn as balls of at least this share of the object's radius, so that one sees where light comes
+// from.
+constexpr float kLightMarker = 0.02f;
+constexpr float kLightBrightness = 4;
+// Below this top of the scale a heat map would magnify what no one can see.
+constexpr float kLeastHeatScale = 0.05f;
+
+std::string safeFileName(std::string name) {
+  for (char& c : name) {
+    const bool plain =
+        (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '-';
+    if (!plain) c = '_';
+  }
+  return name;
+}
+
+/// The picture of one frame, cast once and shaded many times.
+class Photographer {
+ public:
+  Photographer(const Scene& scene, std::span<const SceneObject> objects, const ScenePose& pose, const LightSet& lights,
+               const ObjectRun& run, std::optional<float> wrap)
+      : run_(run) {
+    poseObject(scene, run.object(), pose, posed_);
+    const BoundingSphere sphere = boundingSphere(posed_.positions);
+    RayCaster caster;
+    caster.add(run.object(), posed_);
+    PosedObject scenery;
+    for (const SceneObject& object : objects) {
+      if (&object == &run.object()) continue;
+      poseObject(scene, object, pose, scenery);
+      caster.add(object, scenery, SampleKind::scenery);
+    }
+    addLights(caster, lights, kLightMarker * sphere.radius, kLightBrightness);
+    surface_ = caster.cast(frameSphere(sphere, kWidth, kHeight));
+    if (wrap)
+      for (VisibleSample& sample : surface_.samples) sample.wrap = *wrap;
+
+    exact_ = exactIrradiance(surface_, lights);
+    exposure_ = autoExposure(shade(surface_, exact_));
+    for (std::size_t i = 0; i < surface_.samples.size(); ++i) {
+      const VisibleSample& sample = surface_.samples[i];
+      if (sample.kind != SampleKind::object) continue;
+      objectSamples_.push_back(i);
+      points_.push_back({sample.position, sample.normal});
+      wraps_.push_back(sample.wrap);
+    }
+  }
+
+  const std::vector<Rgb>& truth() const { return exact_; }
+
+  /// Irradiance at every sample as `rig`, fitted to this frame, gives it: clamped, scenery by the truth.
+  std::vector<Rgb> irradianceOf(RigRunner& rig, const LightSet& lights) const {
+    rig.fit(run_.object(), posed_, lights);
+    std::vector<Rgb> shaded(points_.size());
+    rig.shade(points_, wraps_, shaded);
+    std::vector<Rgb> all = exact_;
+    for (std::size_t i = 0; i < shaded.size(); ++i)
+      for (int c = 0; c < 3; ++c) all[objectSamples_[i]][c] = std::max(0.0f, shaded[i][c]);
+    return all;
+  }
+
+  Image radiance(std::span<const Rgb> irradiance) const { return resolve(surface_, shade(surface_, irradiance)); }
+  Image8 display(const Image& radiance) const { return toneMap(radiance, exposure_); }
+
+  /// rig - truth over the run's mean exact irradiance, per sample and channel; 0 off the object.
+  std::vector<Rgb> relativeError(std::span<const Rgb> irradiance) const {
+    const double mean = run_.meanIrradiance();
+    const float scale = mean > 0 ? static_cast<float>(1 / mean) : 0;
+    std::vector<Rgb> error(exact_.size());
+    for (std::size_t i : objectSamples_) error[i] = (irradiance[i] - exact_[i]) * scale;
+    return error;
+  }
+
+  double rms(std::span<const Rgb> error) const {
+    double squares = 0;
+    double weight = 0;
+    for (std::size_t i : objectSamples_) {
+      const double magnitude = static_cast<double>(magnitudeOf(error[i]));
+      const double w = static_cast<double>(surface_.samples[i].weight);
+      squares += w * magnitude * magnitude;
+      weight += w;
+    }
+    return weight > 0 ? std::sqrt(squares / weight) : 0;
+  }
+
+  float heatScaleOf(std::span<const Rgb> error) const { return heatScale(surface_, magnitudes(error)); }
+  Image8 heat(std::span<const Rgb> error, float top) const { return heatMap(surface_, magnitudes(error), top); }
+  Image errorImage(std::span<const Rgb> error) const { return resolve(surface_, error); }
+
+ private:
+  static float magnitudeOf(Rgb e) { return std::sqrt((e.r * e.r + e.g * e.g + e.b * e.b) / 3); }
+  static std::vector<float> magnitudes(std::span<const Rgb> error) {
+    std::vector<float> out;
+    out.reserve(error.size());
+    for (Rgb e : error) out.push_back(magnitudeOf(e));
+    return out;
+  }
+
+  const ObjectRun& run_;
+  PosedObject posed_;
+  VisibleSurface surface_;
+  std::vector<Rgb> exact_;  // all samples
+  float exposure_ = 1;
+  std::vector<std::size_t> objectSamples_;  // into surface_.samples; points_ and wraps_ are theirs
+  std::vector<PointAndNormal> points_;
+  std::vector<float> wraps_;
+};
+
+/// Writes one picture as OpenEXR and PNG; keeps the PNG's bytes for the page.
+class PictureWriter {
+ public:
+  explicit PictureWriter(std::filesystem::path directory) : directory_(std::move(directory)) {}
+
+  std::optional<Error> write(const std::string& stem, const Image& linear, const Image8& display, std::string& exr,
+                             std::string& png, std::vector<std::uint8_t>& bytes) const {
+    const std::string folder = directory_.filename().string() + "/";
+    if (auto written = writeExr(linear, directory_ / (stem + ".exr")); !written) return written.error();
+    auto encoded = encodePng(display);
+    if (!encoded) return encoded.error();
+    if (auto written = writePng(display, directory_ / (stem + ".png")); !written) return written.error();
+    exr = folder + stem + ".exr";
+    png = folder + stem + ".png";
+    bytes = *std::move(encoded);
+    return std::nullopt;
+  }
+
+ private:
+  std::filesystem::path directory_;
+};
+
+}  // namespace
+
+Result<std::vector<Picture>> photograph(const Scene& scene, std::span<const SceneObject> objects, const ScenePose& pose,
+                                        const LightSet& lights, const ObjectRun& run, FrameLabel frame,
+                                        const RunOptions& options, const GalleryFiles& files) {
+  std::error_code code;
+  std::filesystem::create_directories(files.directory, code);
+  if (code) return Error{"cannot make the directory: " + code.message(), files.directory.string()};
+
+  const Photographer photographer(scene, objects, pose, lights, run, options.wrap);
+  const PictureWriter writer(files.directory);
+  const std::string stem = safeFileName(files.prefix + run.object().name + fmt::format("-frame{:04d}-", frame.number));
+
+  std::vector<Picture> pictures(1);
+  Picture& truth = pictures.front();
+  truth.label = "truth";
+  truth.time = frame.time;
+  truth.frame = frame.number;
+  const Image truthImage = photographer.radiance(photographer.truth());
+  if (auto error = writer.write(stem + "truth", truthImage, photographer.display(truthImage), truth.imageExr,
+                                truth.imagePng, truth.imageBytes))
+    return *error;
+
+  struct Shaded {
+    std::vector<Rgb> irradiance, error;
+  };
+  std::vector<Shaded> shaded;
+  std::vector<float> scales;
+  for (const auto& rig : run.rigs()) {
+    auto irradiance = photographer.irradianceOf(*rig, lights);
+    auto error = photographer.relativeError(irradiance);
+    scales.push_back(photographer.heatScaleOf(error));
+    shaded.push_back({std::move(irradiance), std::move(error)});
+  }
+  // One scale for all rigs of the frame, or their heat maps could not be compared.
+  std::ranges::sort(scales);
+  const float top = std::max(kLeastHeatScale, scales[scales.size() / 2]);
+
+  for (std::size_t r = 0; r < shaded.size(); ++r) {
+    const std::string& spec = run.rigs()[r]->rig().spec().text;
+    Picture picture;
+    picture.label = spec;
+    picture.time = frame.time;
+    picture.frame = frame.number;
+    picture.rms = photographer.rms(shaded[r].error);
+    picture.heatMapMax = static_cast<double>(top);
+    const Image image = photographer.radiance(shaded[r].irradiance);
+    const std::string name = stem + safeFileName(spec);
+    if (auto error = writer.write(name, image, photographer.display(image), picture.imageExr, picture.imagePng,
+                                  picture.imageBytes))
+      return *error;
+    if (auto error = writer.write(name + "-error", photographer.errorImage(shaded[r].error),
+                                  photographer.heat(shaded[r].error, top), picture.errorExr, picture.errorPng,
+                                  picture.errorBytes))
+      return *error;
+    pictures.push_back(std::move(picture));
+  }
+  return pictures;
+}
+
+}  // namespace rigel::tools

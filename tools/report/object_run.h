@@ -1,0 +1,56 @@
+// Measures all rigs of one object over the frames of a run.
+#pragma once
+
+#include "report/report_data.h"
+#include "report/rig_runner.h"
+
+namespace rigel::tools {
+
+class ObjectRun {
+ public:
+  /// Error when the object has no area or a rig cannot be built for it.
+  static Result<ObjectRun> create(const SceneObject& object, const PosedObject& rest, std::span<const RigSpec> rigs,
+                                  int bands, int samples, std::optional<float> wrap);
+
+  /// Fits, evaluates and compares every rig in one frame. Frames come in the order of time.
+  void measure(double time, const PosedObject& posed, const LightSet& lights);
+
+  /// The figures so far. Errors are relative to the mean exact irradiance of the run; where that is 0 (no light reaches
+  /// the object) they are 0.
+  ObjectReport report() const;
+
+  /// Index of the frame in which the rigs, taken together, are worst.
+  std::size_t worstFrame() const;
+
+  const SceneObject& object() const { return *object_; }
+  std::span<const std::unique_ptr<RigRunner>> rigs() const { return runners_; }
+  double meanIrradiance() const;
+
+ private:
+  /// Sums of squared differences [W/m2]^2 of one rig, per frame, and their extremes.
+  struct Tally {
+    std::vector<double> spatialSquares, totalSquares;
+    std::vector<StageTimes> times;
+    double spatialMax = 0, totalMax = 0, maxJump = 0, condition = 1;
+    std::vector<Rgb> error, previousError;  // clamped rig - exact at each point
+  };
+  struct FrameTruth {
+    double time = 0, mean = 0, movementSquares = 0;
+  };
+
+  explicit ObjectRun(const SceneObject& object) : object_(&object) {}
+  void compare(Tally& tally, std::span<const Rgb> shaded) const;
+  RigReport rigReport(std::size_t rig, double mean) const;
+
+  const SceneObject* object_;
+  int bands_ = 3;
+  SurfaceSet surface_;
+  std::vector<std::unique_ptr<RigRunner>> runners_;
+  std::vector<Tally> tallies_;
+  std::vector<FrameTruth> frames_;
+  Truth truth_;
+  std::vector<RgbD> previousExact_;
+  std::vector<Rgb> shaded_;
+};
+
+}  // namespace rigel::tools

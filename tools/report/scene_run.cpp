@@ -1,0 +1,211 @@
+#include "report/scene_run.h"
+
+#include "report/describe_lights.h"
+#include "report/effects.h"
+#include "report/gallery.h"
+#include "report/object_run.h"
+#include "report/timeline.h"
+#include "scene/gltf_load.h"
+#include "scene/transplant.h"
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+
+namespace rigel::tools {
+namespace {
+
+/// A scene with the lights it is seen under; ready to be posed at any frame of a timeline.
+class Stage {
+ public:
+  Stage(const Scene& scene, const Timeline& timeline, std::optional<LightTransplant> donor)
+      : scene_(scene), timeline_(timeline), donor_(std::move(donor)) {}
+
+  void pose(int frame) {
+    poseScene(scene_, timeline_.clip, timeline_.clipTime(frame), pose_);
+    if (donor_) {
+      donor_->lightsAt(timeline_.lightTime(frame), lights_);
+    } else {
+      poseLights(scene_, pose_, lights_);
+    }
+  }
+  const ScenePose& nodes() const { return pose_; }
+  const PosedLights& lights() const { return lights_; }
+
+ private:
+  const Scene& scene_;
+  const Timeline& timeline_;
+  std::optional<LightTransplant> donor_;  // the scene's own lights without one
+  ScenePose pose_;
+  PosedLights lights_;
+};
+
+/// One scene, loaded once; `run` measures one clip of it.
+class SceneRun {
+ public:
+  static Result<SceneRun> load(const std::string& source, const RunOptions& options, const Scene* donor) {
+    SceneRun run(options);
+    auto scene = loadScene(source);
+    if (!scene) return scene.error();
+    run.source_ = source;
+    run.scene_ = std::make_unique<Scene>(*std::move(scene));
+    scaleLights(*run.scene_, options.exposure);
+    if (donor == nullptr && run.scene_->lights.empty())
+      return Error{"the scene has no lights (borrow some: --lights sample:street)", source};
+    run.objects_ = findObjects(*run.scene_);
+    if (std::ranges::all_of(run.objects_, &SceneObject::isStatic))
+      return Error{"every object is static scenery: nothing moves, so nothing needs a rig", source};
+    run.donor_ = donor;
+    const double lightDuration = donor && !donor->animations.empty() ? donor->animations[0].duration : 0;
+    auto timelines = makeTimelines(*run.scene_, options, lightDuration);
+    if (!timelines) return timelines.error();
+    run.timelines_ = *std::move(timelines);
+    return run;
+  }
+
+  const std::vector<Timeline>& timelines() const { return timelines_; }
+
+  Result<SceneReport> run(const Timeline& timeline, const std::filesystem::path& imageDirectory, bool longNames,
+                          const Progress& progress) const {
+    const auto start = std::chrono::steady_clock::now();
+    auto runs = createObjectRuns();
+    if (!runs) return runs.error();
+
+    std::optional<LightTransplant> transplant;
+    if (donor_ != nullptr) {
+      auto created = LightTransplant::create(*donor_, *scene_);
+      if (!created) return created.error();
+      transplant = *std::move(created);
+    }
+    Stage stage(*scene_, timeline, std::move(transplant));
+    PosedObject posed;
+    for (std::size_t f = 0; f < timeline.frames.size(); ++f) {
+      const int frame = timeline.frames[f];
+      progress(0.8 * static_cast<double>(f) / static_cast<double>(timeline.frames.size()), title(timeline));
+      stage.pose(frame);
+      for (ObjectRun& run : *runs) {
+        poseObject(*scene_, run.object(), stage.nodes(), posed);
+        run.measure(timeline.time(frame), posed, stage.lights().set);
+      }
+    }
+
+    SceneReport report;
+    report.scene = source_;
+    report.clip = timeline.clipName;
+    report.lightsFrom = donor_ ? options_.lights : "";
+    report.frames = static_cast<int>(timeline.frames.size());
+    report.notes = scene_->notes;
+    report.lights = describeLights(stage.lights());
+    std::vector<float> wraps;
+    for (const ObjectRun& run : *runs) {
+      report.objects.push_back(run.report());
+      if (run.meanIrradiance() <= 0)
+        report.notes.push_back("no light reaches object '" + run.object().name + "': its errors are shown as 0");
+      for (float wrap : run.object().triangleWrap) wraps.push_back(options_.wrap.value_or(wrap));
+    }
+    report.effects = effectsOf(stage.lights().set, wraps);
+
+    if (options_.images) {
+      const std::string prefix = longNames ? source_ + " " + timeline.clipName + " " : "";
+      if (auto error = takePictures(timeline, stage, *runs, {imageDirectory, prefix}, report, progress)) return *error;
+    }
+    report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return report;
+  }
+
+ private:
+  explicit SceneRun(const RunOptions& options) : options_(options) {}
+
+  std::string title(const Timeline& timeline) const {
+    return source_ + (timeline.clipName.empty() ? "" : " (" + timeline.clipName + ")");
+  }
+
+  Result<std::vector<ObjectRun>> createObjectRuns() const {
+    ScenePose rest;
+    poseScene(*scene_, kRestPose, 0, rest);
+    PosedObject posed;
+    std::vector<ObjectRun> runs;
+    for (const SceneObject& object : objects_) {
+      if (object.isStatic) continue;
+      poseObject(*scene_, object, rest, posed);
+      auto run = ObjectRun::create(object, posed, options_.rigs, options_.bands, options_.samples, options_.wrap);
+      if (!run) return Error{run.error().line(), source_};
+      runs.push_back(*std::move(run));
+    }
+    return runs;
+  }
+
+  /// The worst frame of each object; the middle one too where there are few objects.
+  std::optional<Error> takePictures(const Timeline& timeline, Stage& stage, std::vector<ObjectRun>& runs,
+                                    const GalleryFiles& files, SceneReport& report, const Progress& progress) const {
+    constexpr std::size_t kFewObjects = 3;
+    std::vector<PosedObject> scenery;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      std::vector<std::size_t> frames{runs[i].worstFrame()};
+      if (runs.size() <= kFewObjects) frames.push_back(timeline.frames.size() / 2);
+      std::ranges::sort(frames);
+      frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
+      for (std::size_t f : frames) {
+        progress(0.8 + 0.2 * static_cast<double>(i) / static_cast<double>(runs.size()),
+                 "pictures of " + runs[i].object().name);
+        const int frame = timeline.frames[f];
+        stage.pose(frame);
+        auto pictures = photograph(*scene_, objects_, stage.nodes(), stage.lights().set, runs[i],
+                                   {frame, timeline.time(frame)}, options_, files);
+        if (!pictures) return pictures.error();
+        std::ranges::move(*pictures, std::back_inserter(report.objects[i].pictures));
+      }
+    }
+    return std::nullopt;
+  }
+
+  const RunOptions& options_;
+  std::string source_;
+  std::unique_ptr<Scene> scene_;
+  std::vector<SceneObject> objects_;
+  const Scene* donor_ = nullptr;  // of --lights
+  std::vector<Timeline> timelines_;
+};
+
+}  // namespace
+
+Result<Report> runReport(const RunOptions& options, const std::filesystem::path& imageDirectory,
+                         const Progress& progress) {
+  std::optional<Scene> donor;
+  if (!options.lights.empty()) {
+    auto scene = loadScene(options.lights);
+    if (!scene) return scene.error();
+    donor = *std::move(scene);
+    scaleLights(*donor, options.exposure);
+  }
+
+  // Everything is loaded and checked before the first minute is spent on measuring.
+  std::vector<SceneRun> scenes;
+  std::size_t total = 0;
+  for (const std::string& source : options.scenes) {
+    auto scene = SceneRun::load(source, options, donor ? &*donor : nullptr);
+    if (!scene) return scene.error();
+    total += scene->timelines().size();
+    scenes.push_back(*std::move(scene));
+  }
+
+  Report report;
+  report.bands = options.bands;
+  report.exposure = static_cast<double>(options.exposure);
+  std::size_t done = 0;
+  for (const SceneRun& scene : scenes) {
+    for (const Timeline& timeline : scene.timelines()) {
+      const auto part = [&](double share, const std::string& what) {
+        progress((static_cast<double>(done) + share) / static_cast<double>(total), what);
+      };
+      auto measured = scene.run(timeline, imageDirectory, total > 1, part);
+      if (!measured) return measured.error();
+      report.scenes.push_back(*std::move(measured));
+      ++done;
+    }
+  }
+  progress(1, "done");
+  return report;
+}
+
+}  // namespace rigel::tools

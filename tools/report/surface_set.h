@@ -1,0 +1,33 @@
+// Where an object's measured points and rig anchors are in a frame.
+#pragma once
+
+#include "scene/surface.h"
+
+#include <rigel/rig_light.h>
+
+#include <optional>
+#include <vector>
+
+namespace rigel::tools {
+
+/// The node's frame without its scale: metres, so that derivatives and extents mean what they say. Columns that a
+/// degenerate transform leaves undefined are completed to an orthonormal basis.
+RigFrame rigidFrame(const glm::mat4& worldFromNode);
+
+/// Box of all posed vertices in the rig frame.
+RigBox rigBox(const RigFrame& worldFromRig, const PosedObject& posed);
+
+/// The points of one object: those at which errors are measured, and a second, independent set that rigs may choose
+/// their anchors from (a rig must not be judged at the points it was fitted to).
+struct SurfaceSet {
+  std::vector<SurfacePoint> measured;
+  std::vector<SurfacePoint> candidates;
+  std::vector<float> wrap;  // per measured point
+};
+
+inline constexpr int kRigCandidates = 1024;
+
+Result<SurfaceSet> chooseSurface(const SceneObject& object, const PosedObject& rest, int measured,
+                                 std::optional<float> wrap);
+
+}  // namespace rigel::tools

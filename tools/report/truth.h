@@ -1,0 +1,39 @@
+// What rigs are measured against in one frame: exact irradiance, and SH of the same bands at every point.
+#pragma once
+
+#include "report/surface_set.h"
+
+#include <rigel/exact.h>
+
+#include <vector>
+
+namespace rigel::tools {
+
+/// World-space measured points of a frame with their reference values.
+struct Truth {
+  std::vector<PointAndNormal> points;
+  std::vector<RgbD> exact;  // true light shape, horizon clipped, true wrap kernel, in double
+  std::vector<Rgb> sh;      // irradiance of the point's own SH, unclamped: what a perfect rig would give
+  double mean = 0;          // of `exact` over points and channels
+
+  /// Fills everything; uses all cores. Reuses the vectors.
+  void update(const SceneObject& object, const PosedObject& posed, const SurfaceSet& surface, const LightSet& lights,
+              int bands);
+};
+
+/// Calls `f.template operator()<B>()` for a run-time band count from 2 to 5.
+template <class F>
+decltype(auto) withBands(int bands, F&& f) {
+  switch (bands) {
+    case 2:
+      return f.template operator()<2>();
+    case 4:
+      return f.template operator()<4>();
+    case 5:
+      return f.template operator()<5>();
+    default:
+      return f.template operator()<3>();
+  }
+}
+
+}  // namespace rigel::tools
