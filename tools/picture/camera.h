@@ -41,6 +41,9 @@ struct Camera {
   glm::vec2 project(glm::vec3 point) const;
 };
 
+/// The nearest camera of this view that holds all points, less `view.margin` on each side; frameSphere without any.
+Camera framePoints(std::span<const glm::vec3> points, int width, int height, const View& view = {});
+
 /// A camera that just holds the whole sphere, less `view.margin`, in a width x height picture. Radius 0 counts as 1 m.
 Camera frameSphere(const BoundingSphere& sphere, int width, int height, const View& view = {});
 

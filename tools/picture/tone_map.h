@@ -19,7 +19,7 @@ float softShoulder(float x);
 std::uint8_t encodeSrgb(float linear);
 
 /// Shown where nothing is hit; display-referred linear.
-inline constexpr Rgb kBackdrop{0.010f, 0.011f, 0.014f};
+inline constexpr Rgb kBackdrop{0.0040f, 0.0044f, 0.0056f};
 
 Image8 toneMap(const Image& image, float exposure, Rgb backdrop = kBackdrop);
 

@@ -71,16 +71,21 @@ constexpr int kFloorRows = 4, kSideRows = 9, kWindowRows = 5, kRoofRows = 5;
 constexpr int kBeltRow = kFloorRows + kSideRows, kRoofEdgeRow = kBeltRow + kWindowRows;
 constexpr int kHalfRows = kRoofEdgeRow + kRoofRows;
 
+/// Half width of the body side at a height, as a share of the way from the floor to the belt line: tucked in below,
+/// fullest a third of the way up, leaning in towards the belt line.
+float sideHalfWidth(float half, float share) {
+  const float bulge = std::sin(glm::pi<float>() * std::pow(share, 0.6f));
+  return glm::mix(half - 0.055f, half - 0.075f, share) + 0.062f * bulge - 0.045f * std::pow(1 - share, 8.0f);
+}
+
 glm::vec2 halfRing(float z, int row) {
   const float low = sill(z), belt = curve(kBelt, z), half = curve(kHalfWidth, z), top = curve(kRoof, z);
-  const float bottomHalf = half - 0.1f;
-  if (row <= kFloorRows) return {bottomHalf * static_cast<float>(row) / kFloorRows, low};
   if (row <= kBeltRow) {
-    const float t = static_cast<float>(row - kFloorRows) / kSideRows;
-    // Tucked in below, fullest a third of the way up, leaning in towards the belt line.
-    const float bulge = std::sin(glm::pi<float>() * std::pow(t, 0.6f));
-    return {glm::mix(bottomHalf + 0.045f, half - 0.075f, t) + 0.062f * bulge - 0.045f * std::pow(1 - t, 8.0f),
-            glm::mix(low, belt, t)};
+    // Of the height, not of the row: the arches then cut into the side without bending it.
+    const float floor = curve(kFloor, z);
+    const float y = glm::mix(low, belt, std::max(0.0f, static_cast<float>(row - kFloorRows) / kSideRows));
+    const float x = sideHalfWidth(half, (y - floor) / (belt - floor));
+    return {row < kFloorRows ? x * static_cast<float>(row) / kFloorRows : x, y};
   }
   const glm::vec2 shoulder{half - 0.075f, belt};
   const glm::vec2 edge{std::min(curve(kRoofEdge, z), shoulder.x - 0.05f), top - 0.055f};
@@ -139,7 +144,7 @@ Part partOf(float z, int row) {
   const bool lampRows = row >= kFloorRows + 5 && row < kBeltRow;
   if (lampRows && z > 2.03f && z < 2.225f) return Part::headlamp;
   if (lampRows && z < -2.03f && z > -2.225f) return Part::tailLamp;
-  if (row < kFloorRows + 1) return Part::trim;
+  if (row < kFloorRows + 1 && std::abs(z) < kCarLength / 2 - 0.1f) return Part::trim;
   return Part::paint;
 }
 
@@ -182,6 +187,22 @@ std::array<Primitive, 5> bodyParts() {
     part.triangles.push_back(triangle);
   }
   return parts;
+}
+
+/// Grille and bumper in front, bumper and number plate behind: slim blocks sunk into the blunt ends.
+void addEndTrim(Primitive& trim, Primitive& plate) {
+  const auto block = [](Primitive& out, glm::vec3 half, glm::vec3 at) {
+    Primitive part;
+    addRoundedBox(part, half, 0.9f * half.z, 6);
+    finishNormals(part, kCrease);
+    append(out, part, glm::translate(glm::mat4(1), at));
+  };
+  const float end = kCarLength / 2;
+  block(trim, {0.4f, 0.055f, 0.03f}, {0, 0.6f, end - 0.033f});
+  for (const float side : {-1.0f, 1.0f}) block(trim, {0.58f, 0.06f, 0.05f}, {0, 0.385f, side * (end - 0.068f)});
+  for (const float side : {-1.0f, 1.0f}) {
+    block(plate, {0.25f, 0.055f, 0.012f}, {0, side > 0 ? 0.455f : 0.6f, side * (end - 0.012f)});
+  }
 }
 
 /// Wheel about the x axis, its outer face towards +x.
@@ -238,6 +259,7 @@ Car addCar(Scene& scene, glm::vec3 paint) {
   car.node = addNode(scene, "car", kNoParent);
   scene.nodes[car.node].isObject = true;
   std::array<Primitive, 5> parts = bodyParts();
+  addEndTrim(parts[static_cast<std::size_t>(Part::trim)], parts[static_cast<std::size_t>(Part::headlamp)]);
   std::vector<Primitive> body;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     parts[i].material = materials[i];

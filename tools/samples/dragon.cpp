@@ -18,7 +18,7 @@ namespace rigel::tools {
 namespace {
 
 constexpr float kDuration = 4;
-constexpr float kCell = 0.047f;
+constexpr float kCell = 0.05f;
 constexpr float kSkinBlend = 0.3f;
 
 /// The body's axis: z, height and radius from tail tip to the back of the head.

@@ -13,8 +13,11 @@
 namespace rigel::tools {
 namespace {
 
-constexpr float kCell = 0.0145f;     // m; the finest that keeps the figure below 20k triangles
+constexpr float kCell = 0.0167f;     // m; the finest that keeps the figure below 20k triangles
 constexpr float kSkinBlend = 0.06f;  // m over which skin passes from one bone to the next
+
+// Two cones that continue each other overlap all round their joint: a wide blend would swell it.
+constexpr float kChainBlend = 0.008f;
 
 constexpr glm::vec3 kShoulder{0.19f, 1.44f, -0.015f}, kElbow{0.395f, 1.235f, -0.02f}, kWrist{0.578f, 1.052f, 0},
     kKnuckle{0.642f, 0.988f, 0.004f}, kFingertip{0.71f, 0.92f, 0.012f};
@@ -72,8 +75,8 @@ float armDistance(glm::vec3 p) {
   float d = roundConeDistance(p, kShoulder, kElbow, 0.056f, 0.04f);
   d = smoothUnion(d, ellipsoidDistance(p, kShoulder + glm::vec3(0.01f, -0.01f, 0), glm::vec3(0.066f, 0.075f, 0.066f)),
                   0.04f);
-  d = smoothUnion(d, roundConeDistance(p, kElbow, forearmBelly, 0.039f, 0.044f), 0.03f);
-  d = smoothUnion(d, roundConeDistance(p, forearmBelly, kWrist, 0.044f, 0.026f), 0.03f);
+  d = smoothUnion(d, roundConeDistance(p, kElbow, forearmBelly, 0.038f, 0.043f), kChainBlend);
+  d = smoothUnion(d, roundConeDistance(p, forearmBelly, kWrist, 0.043f, 0.026f), kChainBlend);
   return smoothUnion(d, handDistance(p), 0.02f);
 }
 
@@ -81,8 +84,8 @@ float legDistance(glm::vec3 p) {
   const glm::vec3 calf = glm::mix(kKnee, kAnkle, 0.3f) + glm::vec3(0, 0, -0.022f);
   const glm::vec3 heel = kAnkle + glm::vec3(0, -0.052f, -0.03f);
   float d = roundConeDistance(p, kHip, kKnee, 0.09f, 0.056f);
-  d = smoothUnion(d, roundConeDistance(p, kKnee, calf, 0.053f, 0.057f), 0.04f);
-  d = smoothUnion(d, roundConeDistance(p, calf, kAnkle, 0.056f, 0.035f), 0.04f);
+  d = smoothUnion(d, roundConeDistance(p, kKnee, calf, 0.053f, 0.056f), kChainBlend);
+  d = smoothUnion(d, roundConeDistance(p, calf, kAnkle, 0.056f, 0.034f), kChainBlend);
   float foot = roundConeDistance(p, heel, kAnkle + glm::vec3(0, -0.02f, 0.02f), 0.036f, 0.04f);
   foot = smoothUnion(foot, roundConeDistance(p, kAnkle + glm::vec3(0, -0.025f, 0.02f), kToe, 0.04f, 0.027f), 0.03f);
   foot = smoothUnion(
@@ -96,7 +99,7 @@ float legDistance(glm::vec3 p) {
 float headDistance(glm::vec3 p) {
   float d = ellipsoidDistance(p, {0, 1.69f, -0.005f}, {0.078f, 0.108f, 0.1f});
   d = smoothUnion(d, ellipsoidDistance(p, {0, 1.625f, 0.03f}, {0.056f, 0.07f, 0.066f}), 0.05f);
-  d = smoothUnion(d, roundConeDistance(p, {0, 1.675f, 0.092f}, {0, 1.64f, 0.108f}, 0.008f, 0.013f), 0.02f);  // nose
+  d = smoothUnion(d, roundConeDistance(p, {0, 1.685f, 0.084f}, {0, 1.652f, 0.094f}, 0.009f, 0.014f), 0.02f);  // nose
   const glm::vec3 q{std::abs(p.x), p.y, p.z};
   d = smoothUnion(d, ellipsoidDistance(q, {0.08f, 1.66f, -0.005f}, {0.014f, 0.032f, 0.022f}), 0.015f);  // ears
   return smoothUnion(d, roundConeDistance(p, {0, 1.46f, -0.02f}, {0, 1.6f, 0}, 0.06f, 0.05f), 0.04f);
