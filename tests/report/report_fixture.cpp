@@ -1,9 +1,9 @@
 #include "report_fixture.h"
 
-#include <png.h>
+#include "picture/heat_map.h"
+#include "picture/image_io.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -30,20 +30,12 @@ constexpr MadeUpRig kRigs[] = {
     {"poly:12", 12, 24, 0.047, 0.0815, 22.3, 21.9},
 };
 
-constexpr std::array<std::array<std::uint8_t, 3>, 5> kHeat = {
-    {{10, 10, 30}, {80, 18, 110}, {190, 55, 80}, {245, 140, 30}, {252, 250, 165}}};
+constexpr double kHeatMapMax = 0.5;
 
-std::vector<std::uint8_t> png(int width, int height, const std::vector<std::uint8_t>& rgb) {
-  png_image image{};
-  image.version = PNG_IMAGE_VERSION;
-  image.width = static_cast<png_uint_32>(width);
-  image.height = static_cast<png_uint_32>(height);
-  image.format = PNG_FORMAT_RGB;
-  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
-  std::vector<std::uint8_t> bytes(size);
-  if (!png_image_write_to_memory(&image, bytes.data(), &size, 0, rgb.data(), 0, nullptr)) std::abort();
-  bytes.resize(size);
-  return bytes;
+std::vector<std::uint8_t> png(const tools::Image8& image) {
+  auto bytes = tools::encodePng(image);
+  if (!bytes) std::abort();
+  return *std::move(bytes);
 }
 
 double wave(double time, double phase) { return 0.5 + 0.5 * std::sin(3.1 * time + phase); }
@@ -56,21 +48,17 @@ Picture picture(const std::string& label, int frame, double time, double rms) {
     const double lx = std::cos(1.4 * time), ly = -0.6, lz = 0.5;
     return std::max(0.0, (x * lx + y * ly + z * lz) / 1.27 * (1 - softness) + 0.4 * softness);
   };
-  std::vector<std::uint8_t> image(3 * kWidth * kHeight, 24), error(3 * kWidth * kHeight, 10);
+  tools::Image8 image(kWidth, kHeight, {24, 24, 24}), error(kWidth, kHeight, {112, 112, 112});
+  const auto display = [](double linear) {
+    return static_cast<std::uint8_t>(255 * std::pow(std::min(1.0, linear), 1 / 2.2));
+  };
   for (int row = 0; row < kHeight; ++row) {
     for (int column = 0; column < kWidth; ++column) {
       const double x = (column - kWidth / 2.0) / 70, y = (row - kHeight / 2.0) / 70;
       if (x * x + y * y > 1) continue;
-      const double truth = light(x, y, 0), rig = light(x, y, 2 * rms);
-      const double heat = std::min(0.999, std::abs(rig - truth) / 0.5) * (kHeat.size() - 1);
-      const std::size_t stop = static_cast<std::size_t>(heat);
-      for (std::size_t c = 0; c < 3; ++c) {
-        const std::size_t at = 3 * static_cast<std::size_t>(row * kWidth + column) + c;
-        const double tint = c == 0 ? 1.0 : c == 1 ? 0.85 : 0.62;
-        image[at] = static_cast<std::uint8_t>(255 * std::pow(std::min(1.0, rig * tint), 1 / 2.2));
-        const double mix = heat - static_cast<double>(stop);
-        error[at] = static_cast<std::uint8_t>(kHeat[stop][c] * (1 - mix) + kHeat[stop + 1][c] * mix);
-      }
+      const double exact = light(x, y, 0), shown = light(x, y, 2 * rms);
+      image.at(column, row) = {display(shown), display(0.85 * shown), display(0.62 * shown)};
+      error.at(column, row) = tools::heatColour(static_cast<float>(std::abs(shown - exact) / kHeatMapMax));
     }
   }
   Picture result;
@@ -79,10 +67,11 @@ Picture picture(const std::string& label, int frame, double time, double rms) {
   result.time = time;
   result.rms = rms;
   result.imagePng = "images/" + std::to_string(frame) + "-" + std::to_string(label.size()) + ".png";
-  result.imageBytes = png(kWidth, kHeight, image);
+  result.imageBytes = png(image);
   if (label != "truth") {
     result.errorPng = "images/error-" + std::to_string(frame) + ".png";
-    result.errorBytes = png(kWidth, kHeight, error);
+    result.heatMapMax = kHeatMapMax;
+    result.errorBytes = png(error);
   }
   return result;
 }
@@ -130,8 +119,6 @@ Report makeReport() {
   report.version = "0.1.0";
   report.commandLine =
       "rigel report sample:street characters/soldier1.gltf --rig \"constant;gradient;mixed:l3,g,c\" --out report";
-  report.heatMapMax = 0.5;
-  report.heatMapColors.assign(kHeat.begin(), kHeat.end());
 
   SceneReport street;
   street.scene = "sample:street";
@@ -166,7 +153,6 @@ Report madeUpReport() {
 
 Report smallestReport() {
   Report report = madeUpReport();
-  report.heatMapColors.clear();
   report.scenes.erase(report.scenes.begin());
   SceneReport& scene = report.scenes.front();
   scene.effects.clear();

@@ -1,14 +1,16 @@
 // report.html as text: self-contained, closed against names from files. What it does in a browser: report_page_test.sh.
 #include "report/report_html.h"
 
+#include "picture/heat_map.h"
 #include "report/base64.h"
 #include "report/page_files.h"
 #include "report/report_json.h"
 #include "report_fixture.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include <algorithm>
+#include <cmath>
 
 namespace rigel::tests {
 namespace {
@@ -104,10 +106,38 @@ TEST(ReportHtml, NamesCannotLeaveTheDataBlock) {
   EXPECT_EQ(json["scenes"][0]["scene"], kHostileQuotes);
 }
 
+TEST(ReportHtml, ScaleHasTheColoursOfTheHeatMaps) {
+  const auto colors = nlohmann::json::parse(scriptBlock(page(madeUpReport()), "picture-data"))["colors"];
+  ASSERT_GE(colors.size(), 9u);
+  const auto written = [](tools::Rgb8 color) { return fmt::format("#{:02x}{:02x}{:02x}", color.r, color.g, color.b); };
+  EXPECT_EQ(colors.front(), written(tools::heatColour(0)));
+  EXPECT_EQ(colors[(colors.size() - 1) / 2], written(tools::heatColour(0.5f)));
+  EXPECT_EQ(colors.back(), written(tools::heatColour(1)));
+
+  // A browser blends between stops; the heat map does not.
+  constexpr int kTolerance = 6;  // of 255; worst measured 5, where blue leaves the edge of sRGB
+  int worst = 0;
+  const auto channel = [&](std::size_t stop, std::size_t c) {
+    return std::stoi(colors[stop].get<std::string>().substr(1 + 2 * c, 2), nullptr, 16);
+  };
+  for (int i = 0; i < 1000; ++i) {
+    const double at = i / 1000.0 * static_cast<double>(colors.size() - 1);
+    const std::size_t stop = static_cast<std::size_t>(at);
+    const tools::Rgb8 exact = tools::heatColour(static_cast<float>(i) / 1000);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double blend =
+          channel(stop, c) + (at - static_cast<double>(stop)) * (channel(stop + 1, c) - channel(stop, c));
+      const int wanted = c == 0 ? exact.r : c == 1 ? exact.g : exact.b;
+      worst = std::max(worst, std::abs(static_cast<int>(std::lround(blend)) - wanted));
+    }
+  }
+  EXPECT_LE(worst, kTolerance);
+}
+
 TEST(ReportHtml, EmptyReportIsStillAPage) {
   const std::string html = page(tools::Report{});
   EXPECT_THAT(html, testing::EndsWith("</html>\n"));
-  EXPECT_EQ(scriptBlock(html, "picture-data"), "[]");
+  EXPECT_EQ(nlohmann::json::parse(scriptBlock(html, "picture-data"))["objects"].size(), 0u);
 }
 
 }  // namespace
