@@ -25,7 +25,7 @@ struct View {
   float yaw = glm::radians(38.0f);
   float pitch = glm::radians(18.0f);
   float verticalFov = glm::radians(35.0f);
-  float margin = 0.06f;  // share of the picture left free around the sphere
+  float margin = 0.07f;  // share of the picture left free on each side
 };
 
 struct Camera {

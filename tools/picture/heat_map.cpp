@@ -62,7 +62,7 @@ std::string percent(const char* prefix, float value) {
 void drawScale(Image8& image, float maxError) {
   const int scale = std::max(1, image.height / 240);
   const int pad = 5 * scale, barHeight = 7 * scale, tick = 2 * scale;
-  const int width = std::min(image.width - 4 * pad, 150 * scale);
+  const int width = std::min(image.width - 4 * pad, 120 * scale);
   const int left = 2 * pad, bottom = image.height - 2 * pad;
   const int textTop = bottom - kGlyphHeight * scale, barTop = textTop - 2 * tick - barHeight;
   fill(image, left - pad, barTop - pad, left + width + pad, bottom + pad, kPanel);

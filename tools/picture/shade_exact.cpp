@@ -25,12 +25,15 @@ std::vector<Rgb> exactIrradiance(const VisibleSurface& surface, const LightSet& 
   return out;
 }
 
-std::vector<Rgb> shade(const VisibleSurface& surface, std::span<const Rgb> irradiance) {
+std::vector<Rgb> shade(const VisibleSurface& surface, std::span<const Rgb> irradiance, float lightScale) {
   assert(irradiance.size() == surface.samples.size());
   std::vector<Rgb> out(irradiance.size());
   for (std::size_t i = 0; i < out.size(); ++i) {
     const VisibleSample& sample = surface.samples[i];
-    out[i] = outgoingRadiance(sample, irradiance[i]) * (sample.kind == SampleKind::scenery ? kSceneryDimming : 1.0f);
+    const float scale = sample.kind == SampleKind::scenery ? kSceneryDimming
+                        : sample.kind == SampleKind::light ? lightScale
+                                                           : 1.0f;
+    out[i] = outgoingRadiance(sample, irradiance[i]) * scale;
   }
   return out;
 }

@@ -1,6 +1,7 @@
 #include "picture/tone_map.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace rigel::tools {
@@ -19,6 +20,15 @@ float autoExposure(std::span<const Rgb> radiance) {
   std::nth_element(brightest.begin(), brightest.begin() + rank, brightest.end());
   const float white = brightest[static_cast<std::size_t>(rank)];
   return white > 0 ? kShownAt / white : 1.0f;
+}
+
+float autoExposure(const VisibleSurface& surface, std::span<const Rgb> radiance) {
+  assert(radiance.size() == surface.samples.size());
+  std::vector<Rgb> onObject;
+  for (std::size_t i = 0; i < radiance.size(); ++i) {
+    if (surface.samples[i].kind == SampleKind::object) onObject.push_back(radiance[i]);
+  }
+  return autoExposure(onObject);
 }
 
 float softShoulder(float x) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "picture/image.h"
+#include "picture/raycast.h"
 
 #include <span>
 
@@ -10,6 +11,9 @@ namespace rigel::tools {
 /// The exposure that shows the 99th percentile (of each colour's largest channel) at 0.8 of white. 1 where all is
 /// black.
 float autoExposure(std::span<const Rgb> radiance);
+
+/// The same over the samples of the object alone: neither scenery nor lights in view change it.
+float autoExposure(const VisibleSurface& surface, std::span<const Rgb> radiance);
 
 /// Linear [0, inf) to linear [0, 1): the identity up to 0.7, then an exponential approach with continuous slope.
 /// Negative and NaN give 0.

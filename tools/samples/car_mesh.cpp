@@ -22,7 +22,8 @@ constexpr float kArchRadius = 0.395f;
 constexpr float kAxleFront = 1.38f, kAxleRear = -1.32f;
 constexpr float kTrack = 0.785f;  // wheel centre to the car's middle
 constexpr float kTyreWidth = 0.21f;
-constexpr float kNose = 0.22f;  // length over which both ends round off
+constexpr float kNose = 0.22f;        // length over which both ends round off
+constexpr float kTrimDepth = 0.015f;  // by which bumpers and plates stand out at both ends
 constexpr float kNoseHeight = 0.56f;
 
 /// Curve through (z, value) points: cubic Hermite, slopes limited so that it does not overshoot (Fritsch and Carlson).
@@ -106,7 +107,7 @@ struct Station {
 };
 
 std::vector<Station> stations() {
-  const float front = kCarLength / 2 - kNose, rear = -front;
+  const float front = kCarLength / 2 - kTrimDepth - kNose, rear = -front;
   std::vector<float> zs;
   for (int i = 0; i <= 40; ++i) zs.push_back(glm::mix(rear, front, static_cast<float>(i) / 40));
   for (const float axle : {kAxleFront, kAxleRear}) {
@@ -144,7 +145,7 @@ Part partOf(float z, int row) {
   const bool lampRows = row >= kFloorRows + 5 && row < kBeltRow;
   if (lampRows && z > 2.03f && z < 2.225f) return Part::headlamp;
   if (lampRows && z < -2.03f && z > -2.225f) return Part::tailLamp;
-  if (row < kFloorRows + 1 && std::abs(z) < kCarLength / 2 - 0.1f) return Part::trim;
+  if (row < kFloorRows + 1 && std::abs(z) < kCarLength / 2 - kTrimDepth - kNose) return Part::trim;
   return Part::paint;
 }
 
@@ -198,10 +199,10 @@ void addEndTrim(Primitive& trim, Primitive& plate) {
     append(out, part, glm::translate(glm::mat4(1), at));
   };
   const float end = kCarLength / 2;
-  block(trim, {0.4f, 0.055f, 0.03f}, {0, 0.6f, end - 0.033f});
-  for (const float side : {-1.0f, 1.0f}) block(trim, {0.58f, 0.06f, 0.05f}, {0, 0.385f, side * (end - 0.068f)});
+  block(trim, {0.33f, 0.05f, 0.03f}, {0, 0.6f, end - 0.034f});
+  for (const float side : {-1.0f, 1.0f}) block(trim, {0.58f, 0.06f, 0.05f}, {0, 0.385f, side * (end - 0.052f)});
   for (const float side : {-1.0f, 1.0f}) {
-    block(plate, {0.25f, 0.055f, 0.012f}, {0, side > 0 ? 0.455f : 0.6f, side * (end - 0.012f)});
+    block(plate, {0.25f, 0.055f, 0.016f}, {0, side > 0 ? 0.475f : 0.6f, side * (end - 0.016f)});
   }
 }
 

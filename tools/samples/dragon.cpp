@@ -220,7 +220,8 @@ Scene makeDragon() {
   // The integral of the headings: without it the middle would stand still and the ends sweep twice as far.
   const glm::vec3 root = bones[0].head;
   fly.sampledTranslation(skeleton.joints[0], kDuration, kKeys, [&](float t) {
-    return root + glm::vec3(-0.22f * std::cos(glm::two_pi<float>() * t / 2), 0.03f * std::sin(glm::pi<float>() * t), 0);
+    return root + glm::vec3(-0.22f * std::cos(glm::two_pi<float>() * t / 2),
+                            0.05f + 0.02f * std::sin(glm::pi<float>() * t), 0);
   });
   scene.animations.push_back(fly.finish());
   return scene;

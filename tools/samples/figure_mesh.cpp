@@ -2,22 +2,24 @@
 #include "samples/figure_mesh.h"
 
 #include "samples/implicit_surface.h"
+#include "samples/mesh_builder.h"
 #include "samples/scene_builder.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 
 namespace rigel::tools {
 namespace {
 
-constexpr float kCell = 0.0167f;     // m; the finest that keeps the figure below 20k triangles
-constexpr float kSkinBlend = 0.06f;  // m over which skin passes from one bone to the next
+constexpr float kCell = 0.0185f;      // m; the finest that keeps the figure below 20k triangles
+constexpr float kHandCell = 0.0075f;  // m; half a finger
+constexpr float kSkinBlend = 0.06f;   // m over which skin passes from one bone to the next
 
 // Two cones that continue each other overlap all round their joint: a wide blend would swell it.
-constexpr float kChainBlend = 0.008f;
+constexpr float kChainBlend = 0.02f;
 
 constexpr glm::vec3 kShoulder{0.19f, 1.44f, -0.015f}, kElbow{0.395f, 1.235f, -0.02f}, kWrist{0.578f, 1.052f, 0},
     kKnuckle{0.642f, 0.988f, 0.004f}, kFingertip{0.71f, 0.92f, 0.012f};
@@ -70,22 +72,22 @@ float handDistance(glm::vec3 p) {
                      0.015f);
 }
 
+/// Shoulder to wrist.
 float armDistance(glm::vec3 p) {
   const glm::vec3 forearmBelly = glm::mix(kElbow, kWrist, 0.3f);
-  float d = roundConeDistance(p, kShoulder, kElbow, 0.056f, 0.04f);
-  d = smoothUnion(d, ellipsoidDistance(p, kShoulder + glm::vec3(0.01f, -0.01f, 0), glm::vec3(0.066f, 0.075f, 0.066f)),
-                  0.04f);
-  d = smoothUnion(d, roundConeDistance(p, kElbow, forearmBelly, 0.038f, 0.043f), kChainBlend);
-  d = smoothUnion(d, roundConeDistance(p, forearmBelly, kWrist, 0.043f, 0.026f), kChainBlend);
-  return smoothUnion(d, handDistance(p), 0.02f);
+  float d = roundConeDistance(p, kShoulder, kElbow, 0.052f, 0.037f);
+  d = smoothUnion(d, ellipsoidDistance(p, kShoulder + glm::vec3(0.022f, -0.04f, 0), glm::vec3(0.05f, 0.07f, 0.054f)),
+                  0.03f);
+  d = smoothUnion(d, roundConeDistance(p, kElbow, forearmBelly, 0.035f, 0.039f), kChainBlend);
+  return smoothUnion(d, roundConeDistance(p, forearmBelly, kWrist, 0.039f, 0.024f), kChainBlend);
 }
 
 float legDistance(glm::vec3 p) {
   const glm::vec3 calf = glm::mix(kKnee, kAnkle, 0.3f) + glm::vec3(0, 0, -0.022f);
   const glm::vec3 heel = kAnkle + glm::vec3(0, -0.052f, -0.03f);
   float d = roundConeDistance(p, kHip, kKnee, 0.09f, 0.056f);
-  d = smoothUnion(d, roundConeDistance(p, kKnee, calf, 0.053f, 0.056f), kChainBlend);
-  d = smoothUnion(d, roundConeDistance(p, calf, kAnkle, 0.056f, 0.034f), kChainBlend);
+  d = smoothUnion(d, roundConeDistance(p, kKnee, calf, 0.051f, 0.053f), kChainBlend);
+  d = smoothUnion(d, roundConeDistance(p, calf, kAnkle, 0.053f, 0.032f), kChainBlend);
   float foot = roundConeDistance(p, heel, kAnkle + glm::vec3(0, -0.02f, 0.02f), 0.036f, 0.04f);
   foot = smoothUnion(foot, roundConeDistance(p, kAnkle + glm::vec3(0, -0.025f, 0.02f), kToe, 0.04f, 0.027f), 0.03f);
   foot = smoothUnion(
@@ -108,21 +110,42 @@ float headDistance(glm::vec3 p) {
 float bodyDistance(glm::vec3 p) {
   const glm::vec3 q{std::abs(p.x), p.y, p.z};  // both sides at once
   float d = ellipsoidDistance(p, {0, 1.31f, -0.005f}, {0.165f, 0.185f, 0.112f});
-  d = smoothUnion(d, ellipsoidDistance(p, {0, 1.1f, 0}, {0.132f, 0.17f, 0.095f}), 0.1f);
-  d = smoothUnion(d, ellipsoidDistance(p, {0, 0.97f, -0.005f}, {0.16f, 0.12f, 0.112f}), 0.08f);
+  d = smoothUnion(d, ellipsoidDistance(p, {0, 1.1f, 0}, {0.126f, 0.17f, 0.092f}), 0.1f);
+  d = smoothUnion(d, ellipsoidDistance(p, {0, 0.97f, -0.005f}, {0.148f, 0.12f, 0.108f}), 0.08f);
   d = smoothUnion(d, ellipsoidDistance(q, {0.072f, 0.925f, -0.05f}, {0.085f, 0.09f, 0.075f}), 0.06f);
-  d = smoothUnion(d, ellipsoidDistance(q, {0.078f, 1.345f, 0.065f}, {0.078f, 0.06f, 0.045f}), 0.06f);
-  d = smoothUnion(d, roundConeDistance(q, {0.03f, 1.455f, -0.02f}, kShoulder, 0.058f, 0.055f), 0.06f);
+  d = smoothUnion(d, ellipsoidDistance(q, {0.075f, 1.35f, 0.06f}, {0.075f, 0.06f, 0.042f}), 0.06f);
+  d = smoothUnion(d, roundConeDistance(q, {0.03f, 1.46f, -0.02f}, kShoulder, 0.05f, 0.045f), 0.05f);
   d = smoothUnion(d, armDistance(q), 0.04f);
   d = smoothUnion(d, legDistance(q), 0.05f);
   return smoothUnion(d, headDistance(p), 0.03f);
+}
+
+/// Distance to the whole, hands included: what normals come from, so that shading does not show where meshes meet.
+float wholeDistance(glm::vec3 p) {
+  const glm::vec3 q{std::abs(p.x), p.y, p.z};
+  return smoothUnion(bodyDistance(p), handDistance(q), 0.02f);
+}
+
+/// Body and hands as one primitive: fingers need finer cells than the rest can afford, so that the hands are meshed by
+/// themselves and start inside the wrists.
+Primitive makeMesh() {
+  Primitive mesh = meshImplicit(bodyDistance, {-0.62f, -0.01f, -0.2f}, {0.62f, 1.82f, 0.22f}, kCell, wholeDistance);
+  for (const float side : {1.0f, -1.0f}) {
+    const auto hand = [side](glm::vec3 p) { return handDistance({p.x * side, p.y, p.z}); };
+    const glm::vec3 low{0.535f, 0.88f, -0.085f}, high{0.745f, 1.09f, 0.12f};
+    append(mesh,
+           meshImplicit(hand, {side > 0 ? low.x : -high.x, low.y, low.z}, {side > 0 ? high.x : -low.x, high.y, high.z},
+                        kHandCell, wholeDistance),
+           glm::mat4(1));
+  }
+  return mesh;
 }
 
 }  // namespace
 
 Figure addFigure(Scene& scene) {
   const std::vector<Bone> bones = makeBones();
-  Primitive body = meshImplicit(bodyDistance, {-0.76f, -0.01f, -0.2f}, {0.76f, 1.82f, 0.22f}, kCell);
+  Primitive body = makeMesh();
   bindToBones(body, bones, kSkinBlend);
   body.material = addMaterial(scene, "clay", {0.72f, 0.62f, 0.54f});
 

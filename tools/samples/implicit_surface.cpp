@@ -60,6 +60,11 @@ std::vector<float> sampleField(const DistanceField& field, glm::vec3 origin, glm
 }  // namespace
 
 Primitive meshImplicit(const DistanceField& field, glm::vec3 boxMin, glm::vec3 boxMax, float cell) {
+  return meshImplicit(field, boxMin, boxMax, cell, field);
+}
+
+Primitive meshImplicit(const DistanceField& field, glm::vec3 boxMin, glm::vec3 boxMax, float cell,
+                       const DistanceField& normalField) {
   // A margin of one cell keeps the surface off the grid's border, so that the mesh is closed.
   const glm::vec3 origin = boxMin - cell;
   const glm::ivec3 n = glm::ivec3(glm::ceil((boxMax - boxMin) / cell)) + 3;
@@ -114,7 +119,7 @@ Primitive meshImplicit(const DistanceField& field, glm::vec3 boxMin, glm::vec3 b
       const glm::vec3 g = gradient(field, p, h);
       p -= std::clamp(field(p) / std::max(glm::dot(g, g), 0.25f), -0.4f * cell, 0.4f * cell) * g;
     }
-    mesh.normals.push_back(glm::normalize(gradient(field, p, 0.25f * cell)));
+    mesh.normals.push_back(glm::normalize(gradient(normalField, p, 0.25f * cell)));
   }
   return mesh;
 }

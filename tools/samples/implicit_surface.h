@@ -15,6 +15,10 @@ using DistanceField = std::function<float(glm::vec3)>;
 /// near a distance: no steeper than 1, no flatter than 1/2 of it around the surface.
 Primitive meshImplicit(const DistanceField& field, glm::vec3 boxMin, glm::vec3 boxMax, float cell);
 
+/// The same with normals from another field, of which this one is a part.
+Primitive meshImplicit(const DistanceField& field, glm::vec3 boxMin, glm::vec3 boxMax, float cell,
+                       const DistanceField& normalField);
+
 /// Distance to a sphere-swept segment whose radius changes from ra at a to rb at b.
 float roundConeDistance(glm::vec3 p, glm::vec3 a, glm::vec3 b, float ra, float rb);
 
