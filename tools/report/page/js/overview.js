@@ -72,6 +72,10 @@ function geometricMean(spec, error) {
 }
 
 function fillNavigation() {
-  const links = report.objects.map((object, i) => element('a', {href: `#object-${i}`, title: sceneTitle(sceneOf(object))}, object.name));
+  const links = report.objects.map((object, i) => {
+    const scene = sceneOf(object);
+    const alone = report.objects.filter((other) => other.name === object.name).length === 1;
+    return element('a', {href: `#object-${i}`, title: sceneTitle(scene)}, alone ? object.name : `${object.name} (${scene.clip || scene.scene})`);
+  });
   document.getElementById('nav').append(...links, element('a', {href: '#meaning'}, 'What the numbers mean'));
 }
