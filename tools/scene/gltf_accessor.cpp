@@ -9,8 +9,11 @@
 namespace rigel::tools {
 namespace {
 
-// Files may name one accessor many times and count elements that no byte stands for; the sum is what costs memory.
+// Files may name one accessor many times and count elements that no byte stands for; the sum is what costs memory. Real
+// files read most bytes once, and the vertices that primitives share a few dozen times.
 constexpr std::size_t kMaxComponents = std::size_t{1} << 28;  // 1 GiB of floats
+constexpr std::size_t kFreeComponents = std::size_t{1} << 24;
+constexpr std::size_t kComponentsPerByte = 64;
 
 const char* typeName(int width) {
   switch (width) {
@@ -116,7 +119,12 @@ struct AccessorReader::Layout {
 };
 
 AccessorReader::AccessorReader(const GltfDocument& document)
-    : document_(document), places_(document.root().items("accessors")), views_(document.root().items("bufferViews")) {}
+    : document_(document), places_(document.root().items("accessors")), views_(document.root().items("bufferViews")) {
+  componentsLeft_ = kFreeComponents;
+  for (const tinygltf::Buffer& buffer : document.binary->buffers)
+    componentsLeft_ += kComponentsPerByte * buffer.data.size();
+  componentsLeft_ = std::min(componentsLeft_, kMaxComponents);
+}
 
 int AccessorReader::count() const noexcept { return static_cast<int>(places_.size()); }
 
@@ -159,9 +167,10 @@ AccessorReader::Layout AccessorReader::layout(const JsonPlace& user, int accesso
   out.count = a.count;
   out.width = static_cast<std::size_t>(width);
   out.componentBytes = static_cast<std::size_t>(tinygltf::GetComponentSizeInBytes(a.componentType));
-  if (a.count > kMaxComponents || (componentsRead_ += a.count * out.width) > kMaxComponents) {
-    place.fail("with its count of {} the file's data grow beyond {} numbers", a.count, kMaxComponents);
+  if (a.count > componentsLeft_ / out.width) {
+    place.fail("count {} is absurd: the file's data would grow beyond all proportion to its size", a.count);
   }
+  componentsLeft_ -= a.count * out.width;
   if (a.bufferView < 0) return out;
 
   const tinygltf::BufferView& view = document_.binary->bufferViews[a.bufferView];

@@ -45,7 +45,7 @@ class AccessorReader {
   const GltfDocument& document_;
   std::vector<JsonPlace> places_;
   std::vector<JsonPlace> views_;
-  std::size_t componentsRead_ = 0;
+  std::size_t componentsLeft_ = 0;
 };
 
 }  // namespace rigel::tools
