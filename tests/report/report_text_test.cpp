@@ -51,7 +51,7 @@ TEST(ReportText, MarksTheRigOfTheVerdict) {
   EXPECT_THAT(text, HasSubstr("  > poly:12 "));
   EXPECT_THAT(text,
               HasSubstr("poly:12 is the cheapest rig (12 SH vectors) within 10 % of the least error: total RMS 8.15 %, "
-                        "spatial RMS 4.7 %, against 8.01 % and 4.5 % for lattice:8x4x2 (64 SH vectors)."));
+                        "spatial RMS 4.70 %, against 8.01 % and 4.50 % for lattice:8x4x2 (64 SH vectors)."));
   EXPECT_THAT(text, HasSubstr("  note: material paint"));
 }
 

@@ -11,7 +11,11 @@ std::string vectors(const RigReport& rig) {
   return fmt::format("{} SH vector{}", rig.shVectors, rig.shVectors == 1 ? "" : "s");
 }
 
-std::string percent(double relative) { return fmt::format("{:.3g} %", 100 * relative); }
+/// Three digits, as the page writes them.
+std::string percent(double relative) {
+  const double value = 100 * relative;
+  return value >= 99.95 || value == 0 ? fmt::format("{:.0f} %", value) : fmt::format("{:#.3g} %", value);
+}
 
 std::string sentenceFor(const ObjectReport& object, const Verdict& verdict) {
   const RigReport& chosen = object.rigs[verdict.chosen];
