@@ -189,6 +189,13 @@ TEST(Surface, FlatTrianglesUseTheirOwnNormal) {
   EXPECT_EQ(at.normal, (Vec3{-1, 0, 0}));
 }
 
+TEST(Surface, FlatNormalsDoNotDependOnTheSize) {
+  for (const float scale : {1e-30f, 1e-15f, 1e15f, 1e30f}) {
+    const Posed p = poseTriangles({glm::vec3(0), scale * glm::vec3(0, 0, 1), scale * glm::vec3(0, 1, 0)});
+    EXPECT_EQ(evaluateSurface(p.object, p.posed, {0, 0.25f, 0.5f}).normal, (Vec3{-1, 0, 0})) << scale;
+  }
+}
+
 TEST(Surface, CancellingAndMissingNormalsFallBack) {
   Posed p = poseTriangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
   p.posed.normals = {{1, 0, 0}, {-1, 0, 0}, {1, 0, 0}};

@@ -162,7 +162,8 @@ Json describeScene(const Scene& scene, const std::string& source) {
 }
 
 std::string tripleText(const Json& v) {
-  return fmt::format("{:.4g} {:.4g} {:.4g}", v[0].get<double>(), v[1].get<double>(), v[2].get<double>());
+  const auto text = [&](int i) { return fmt::format("{:.4g}", v[i].get<double>() + 0.0); };  // -0 becomes 0
+  return text(0) + " " + text(1) + " " + text(2);
 }
 
 std::string lightText(const Json& light) {

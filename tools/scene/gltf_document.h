@@ -4,6 +4,8 @@
 #include "scene/gltf_json.h"
 
 #include <filesystem>
+#include <memory>
+#include <vector>
 
 namespace tinygltf {
 class Model;

@@ -5,6 +5,7 @@
 #include <rigel/sh.h>
 
 #include <cmath>
+#include <limits>
 
 namespace rigel::tools {
 namespace {

@@ -50,8 +50,8 @@ Result<std::vector<SurfacePoint>> sampleSurface(const SceneObject& object, const
     total += triangleArea(rest, object.triangles[i]);
     areaUpTo[i] = total;
   }
-  if (!(total > 0)) return Error{"has no area: nothing to light", "object \"" + object.name + "\""};
   if (!std::isfinite(total)) return Error{"its area is not finite", "object \"" + object.name + "\""};
+  if (!(total > 0)) return Error{"has no area: nothing to light", "object \"" + object.name + "\""};
 
   const Shifts shifts(seed);
   // The first triangle at which the running area reaches the total: none beyond it has an area.
@@ -83,7 +83,10 @@ PointAndNormal evaluateSurface(const SceneObject& object, const PosedObject& pos
   if (glm::dot(normal, normal) > 1e-6f) {
     normal = glm::normalize(normal);
   } else {
-    normal = normalizeOrZero(glm::cross(p1 - p0, p2 - p0));
+    // In double, where the product of two edges of any length neither overflows nor vanishes.
+    const glm::dvec3 own = glm::cross(glm::dvec3(p1) - glm::dvec3(p0), glm::dvec3(p2) - glm::dvec3(p0));
+    const double size = glm::length(own);
+    normal = size > 0 && std::isfinite(size) ? glm::vec3(own / size) : glm::vec3(0);
     // A triangle that the pose collapsed has no normal of its own: any vertex normal, or up, keeps the point lit.
     for (const glm::vec3& n : {n0, n1, n2, glm::vec3(0, 1, 0)}) {
       if (normal == glm::vec3(0)) normal = n;

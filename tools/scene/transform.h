@@ -6,6 +6,10 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace rigel::tools {
 
 inline glm::mat4 composeTransform(const glm::vec3& translation, const glm::quat& rotation, const glm::vec3& scale) {

@@ -6,7 +6,6 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <limits>
 
 namespace rigel::tools {
 namespace {
