@@ -28,10 +28,10 @@ class Writer {
         objects.push_back(object(objectReport, sceneReport, i));
     }
     place_ = "report";
-    return {{"version", report.version},     {"command", report.commandLine},
-            {"bands", report.bands},         {"exposure", number(report.exposure, "exposure")},
-            {"effects", std::move(effects)}, {"scenes", std::move(scenes)},
-            {"objects", std::move(objects)}};
+    return {{"version", report.version},      {"command", report.commandLine},
+            {"bands", report.bands},          {"exposure", number(report.exposure, "exposure")},
+            {"verdict_slack", kVerdictSlack}, {"effects", std::move(effects)},
+            {"scenes", std::move(scenes)},    {"objects", std::move(objects)}};
   }
 
   const std::string& notFinite() const { return notFinite_; }
