@@ -101,18 +101,19 @@ class WrapCap {
 
   /// The circles that cross the rim of the cap. theta = mid + half sin(phi) removes the square roots of A at both ends.
   double ring() const noexcept {
-    const double lo = std::abs(normalTheta_ - alpha_);
-    const double hi = std::min(normalTheta_ + alpha_, 2 * kPi - normalTheta_ - alpha_);
-    if (lo >= horizon_ || hi <= lo) return 0;
-    const double mid = 0.5 * (lo + hi);
-    const double half = 0.5 * (hi - lo);
+    const bool holdsNormal = normalTheta_ < alpha_;
+    const bool holdsAntipode = normalTheta_ + alpha_ > kPi;
+    const double mid = holdsNormal ? alpha_ : holdsAntipode ? kPi - alpha_ : normalTheta_;
+    const double half = holdsNormal ? normalTheta_ : holdsAntipode ? kPi - normalTheta_ : alpha_;
+    if (!(half > 0) || mid - half >= horizon_) return 0;
+    // theta - normalTheta is formed from its parts: theta would round away all digits of a tiny light.
+    const double offset = mid - normalTheta_;
     const auto integrand = [&](double phi) noexcept {
-      const double theta = mid + half * std::sin(phi);
-      return atTheta(theta) * half * std::cos(phi);
+      return atOffset(offset + half * std::sin(phi)) * half * std::cos(phi);
     };
     const double tolerance = kTolerance * peak_;
     const double top = 0.5 * kPi;
-    if (hi <= horizon_) return detail::integrateAdaptive(integrand, -top, top, tolerance);
+    if (mid + half <= horizon_) return detail::integrateAdaptive(integrand, -top, top, tolerance);
 
     // Towards the horizon the kernel is (horizon - theta)^(1+a), a power that is no whole number: phi = end - width u^3
     // smooths it.
@@ -122,12 +123,14 @@ class WrapCap {
     return detail::integrateAdaptive(graded, 0.0, 1.0, tolerance);
   }
 
-  double atTheta(double theta) const noexcept {
+  /// f(cos theta) 2 A(theta) sin(theta) at theta = normalTheta + delta.
+  double atOffset(double delta) const noexcept {
+    const double theta = normalTheta_ + delta;
     const double kernel = wrapKernel(std::cos(theta), a_);
     if (!(kernel > 0)) return 0;
     // Half-angle formula of the spherical triangle with the sides alpha, theta, normalTheta, its four sines paired:
-    // tan^2(A/2) = (sin^2(alpha/2) - sin^2((theta-Theta)/2)) / (sin^2((theta+Theta)/2) - sin^2(alpha/2)).
-    const double difference = std::sin(0.5 * (theta - normalTheta_));
+    // tan^2(A/2) = (sin^2(alpha/2) - sin^2((theta-normalTheta)/2)) / (sin^2((theta+normalTheta)/2) - sin^2(alpha/2)).
+    const double difference = std::sin(0.5 * delta);
     const double sum = std::sin(0.5 * (theta + normalTheta_));
     const double above = (sinHalfAlpha_ - difference) * (sinHalfAlpha_ + difference);
     const double below = (sum - sinHalfAlpha_) * (sum + sinHalfAlpha_);
@@ -135,7 +138,7 @@ class WrapCap {
     return 2 * halfArc * kernel * std::sin(theta);
   }
 
-  static constexpr double kTolerance = 1e-9;  // of the peak pi s^2
+  static constexpr double kTolerance = 1e-8;  // of the peak pi s^2
 
   double a_;
   double normalTheta_;

@@ -60,14 +60,15 @@ Integral gaussKronrod15(const Function& f, double lo, double hi) noexcept {
   return {kronrod * half, error};
 }
 
-/// Integral of `f` over [lo, hi] to the absolute tolerance (shared out by bisection), at most 2^maxDepth panels deep.
+/// Integral of `f` over [lo, hi], bisected until the estimate of every panel is within the absolute `tolerance`, at
+/// most `maxDepth` times. The estimates are cautious: the error of the sum stays below the tolerance of one panel.
 template <class Function>
 double integrateAdaptive(const Function& f, double lo, double hi, double tolerance, int maxDepth = 14) noexcept {
   const Integral panel = gaussKronrod15(f, lo, hi);
   if (!(panel.error > tolerance) || maxDepth == 0) return panel.value;
   const double middle = 0.5 * (lo + hi);
-  return integrateAdaptive(f, lo, middle, 0.5 * tolerance, maxDepth - 1) +
-         integrateAdaptive(f, middle, hi, 0.5 * tolerance, maxDepth - 1);
+  return integrateAdaptive(f, lo, middle, tolerance, maxDepth - 1) +
+         integrateAdaptive(f, middle, hi, tolerance, maxDepth - 1);
 }
 
 }  // namespace rigel::detail
