@@ -153,6 +153,7 @@ void addLights(Scene& scene, AnimationBuilder& fly) {
     if (i % 3 == 2) {
       PointLight point;
       point.intensity = colour;
+      point.radius = 0.03f;
       node = addLight(scene, name, point, kNoParent, at);
     } else {
       node = addLight(scene, name, sphereOfIntensity(scatter.uniform(0.03f, 0.09f), colour), kNoParent, at);

@@ -64,7 +64,7 @@ Scene makeTouch() {
   const int enter = addLight(scene, "enter", SphereLight{{}, 0.2f, {1.3f, 0.45f, 0.9f}}, kNoParent, {});
   const int cross = addLight(scene, "cross", SphereLight{{}, 0.08f, {1.6f, 2.6f, 1.2f}}, kNoParent, {});
   PointLight spark;
-  spark.intensity = {0.03f, 0.028f, 0.022f};
+  spark.intensity = {0.004f, 0.0037f, 0.003f};
   spark.radius = 0;
   const int graze = addLight(scene, "graze", spark, kNoParent, {});
 
