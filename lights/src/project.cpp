@@ -81,10 +81,10 @@ void accumulateGradient(const LocalTerm& term, Rgb colour, RadianceShGradient<B>
   }
 
   for (int l = 0; l < B; ++l) {
-    const float along = radial[l] * perCosine;
+    // (I - w w^T) grad Y = grad Y - l Y w, since the polynomials are homogeneous.
+    const float along = radial[l] * perCosine + h[l] * static_cast<float>(l);
     for (int i = shIndex(l, -l); i <= shIndex(l, l); ++i) {
-      const Vec3 tangential = dy[i] - w * dot(w, dy[i]);
-      const Vec3 direction = w * (along * y[i]) - tangential * h[l];
+      const Vec3 direction = w * (along * y[i]) - dy[i] * h[l];
       for (int axis = 0; axis < 3; ++axis) gradient.d[axis][i] += scale * direction[axis];
       if (modulated) {
         for (int axis = 0; axis < 3; ++axis) gradient.d[axis][i] += slopeScale[axis] * (k[l] * y[i]);

@@ -62,8 +62,9 @@ struct RadianceShGradient {
 template <int B>
 void shBasis(Vec3 w, float* y) noexcept;
 
-/// Y_lm(w) and the gradient of its polynomial extension to R^3, dy[i] = grad Y_i at the unit vector `w`. Only the part
-/// of dy tangential to w is a property of Y itself; callers project with (I - w w^T).
+/// Y_lm(w) and the gradient of its extension to R^3 as the homogeneous polynomial r^l Y_lm, dy[i] = grad Y_i at the
+/// unit vector `w`; w . dy[i] = l Y_i. Only the part of dy tangential to w is a property of Y itself; callers project
+/// with (I - w w^T).
 template <int B>
 void shBasisGradient(Vec3 w, float* y, Vec3* dy) noexcept;
 
