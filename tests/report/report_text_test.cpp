@@ -98,9 +98,25 @@ TEST(Verdict, CheapestWithinATenthOfTheBest) {
   EXPECT_EQ(chosen(objectWith({{"a", 6, 6, 0.0}, {"b", 1, 1, 0.0}})), "b") << "no error at all";
 }
 
+TEST(Verdict, AdvisesNoRigThatIsPlainlyWrong) {
+  const auto object = objectWith({{"a", 1, 1, 3.8}, {"b", 12, 24, 3.7}});
+  const auto verdict = tools::verdictOf(object);
+  EXPECT_FALSE(verdict->advised);
+  EXPECT_EQ(verdict->chosen, verdict->best) << "a is cheaper and within a tenth, but wrong as well";
+  EXPECT_THAT(verdict->sentence, HasSubstr("No rig lights this object well"));
+  EXPECT_THAT(verdict->sentence, HasSubstr("b (12 SH vectors), total RMS 370 %"));
+  EXPECT_TRUE(tools::verdictOf(objectWith({{"a", 1, 1, tools::kUsableError}}))->advised);
+
+  tools::Report report = madeUpReport();
+  for (tools::RigReport& rig : report.scenes[0].objects[0].rigs) rig.total.rms += 3;
+  report.scenes.resize(1);
+  for (const std::string& line : lines(tools::reportText(report)))
+    EXPECT_FALSE(line.starts_with("  > ") && line.find("No rig lights") == std::string::npos) << line;
+}
+
 TEST(Verdict, SaysWhatItCannotSay) {
   EXPECT_FALSE(tools::verdictOf(tools::ObjectReport{}));
-  EXPECT_THAT(tools::verdictOf(objectWith({{"a", 1, 1, 0.3}}))->sentence,
+  EXPECT_THAT(tools::verdictOf(objectWith({{"a", 1, 1, 0.2}}))->sentence,
               HasSubstr("Only a was measured (1 SH vector)"));
   tools::ObjectReport dark = objectWith({{"a", 1, 1, 0.0}, {"b", 4, 4, 0.0}});
   dark.meanIrradiance = 0;

@@ -30,8 +30,9 @@ class Writer {
     place_ = "report";
     return {{"version", report.version},      {"command", report.commandLine},
             {"bands", report.bands},          {"exposure", number(report.exposure, "exposure")},
-            {"verdict_slack", kVerdictSlack}, {"effects", std::move(effects)},
-            {"scenes", std::move(scenes)},    {"objects", std::move(objects)}};
+            {"verdict_slack", kVerdictSlack}, {"usable_error", kUsableError},
+            {"effects", std::move(effects)},  {"scenes", std::move(scenes)},
+            {"objects", std::move(objects)}};
   }
 
   const std::string& notFinite() const { return notFinite_; }
@@ -69,6 +70,7 @@ class Writer {
     if (const std::optional<Verdict> verdict = verdictOf(report))
       result["verdict"] = {{"spec", report.rigs[verdict->chosen].spec},
                            {"best", report.rigs[verdict->best].spec},
+                           {"advised", verdict->advised},
                            {"sentence", verdict->sentence}};
     Json truth = Json::array();
     for (const TruthFrame& frame : report.truth)

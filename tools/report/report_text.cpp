@@ -76,7 +76,8 @@ std::string objectText(const SceneReport& scene, const ObjectReport& object) {
   if (!verdict) return text;
   std::vector<Row> rows = {{"  rig", "SH vectors", "projections", "spatial RMS %", "max %", "total RMS %", "max %",
                             "max jump %", "fit us", "shade ns/pt", "bytes"}};
-  for (std::size_t i = 0; i < object.rigs.size(); ++i) rows.push_back(figures(object.rigs[i], i == verdict->chosen));
+  for (std::size_t i = 0; i < object.rigs.size(); ++i)
+    rows.push_back(figures(object.rigs[i], verdict->advised && i == verdict->chosen));
   return fmt::format("{}{}  > {}\n", text, aligned(rows), printable(verdict->sentence));
 }
 

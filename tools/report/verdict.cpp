@@ -23,6 +23,11 @@ std::string sentenceFor(const ObjectReport& object, const Verdict& verdict) {
   const std::string figures =
       fmt::format("total RMS {}, spatial RMS {}", percent(chosen.total.rms), percent(chosen.spatial.rms));
   if (object.meanIrradiance <= 0) return "No light reaches this object, so no rig is better than another.";
+  if (!verdict.advised)
+    return fmt::format(
+        "No rig lights this object well, most likely because a light comes very close: the least error is "
+        "that of {} ({}), {}.",
+        best.spec, vectors(best), figures);
   if (object.rigs.size() == 1)
     return fmt::format("Only {} was measured ({}): {}.", chosen.spec, vectors(chosen), figures);
   if (verdict.chosen == verdict.best)
@@ -50,6 +55,8 @@ std::optional<Verdict> verdictOf(const ObjectReport& object) {
   verdict.chosen = verdict.best;
   for (std::size_t i = 0; i < object.rigs.size(); ++i)
     if (object.rigs[i].total.rms <= limit && cost(i) < cost(verdict.chosen)) verdict.chosen = i;
+  verdict.advised = object.meanIrradiance > 0 && object.rigs[verdict.best].total.rms <= kUsableError;
+  if (!verdict.advised) verdict.chosen = verdict.best;
   verdict.sentence = sentenceFor(object, verdict);
   return verdict;
 }

@@ -13,9 +13,13 @@ namespace rigel::tools {
 /// the light that the SH bands themselves leave out is several times larger.
 inline constexpr double kVerdictSlack = 0.10;
 
+/// Least total RMS above which no rig is advised: an error of a quarter of the mean light is plain at a glance.
+inline constexpr double kUsableError = 0.25;
+
 struct Verdict {
   std::size_t best = 0;    // index of the rig of least total RMS
   std::size_t chosen = 0;  // cheapest within kVerdictSlack of it: fewest SH vectors, then projections, then error
+  bool advised = false;    // whether `chosen` is good enough; where it is not, it is `best`
   std::string sentence;
 };
 

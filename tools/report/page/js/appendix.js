@@ -29,7 +29,7 @@ function meaning() {
     ['SH vectors, projections', 'What is stored, and what is computed of every light each frame. A value with its gradient counts as four projections.'],
     ['Fit, shade', 'Fit: the median time to refresh, project and fit the rig for one frame. Shade: the time to evaluate it at one surface point. Both on the processor of this run: compare them with each other, not with other machines.'],
     ['Pareto-optimal', 'No other rig measured here has both less error and less cost.'],
-    ['Advised', `The rig with the fewest SH vectors whose total RMS is within ${percent(report.verdict_slack)} of the least.`],
+    ['Advised', `The rig with the fewest SH vectors whose total RMS is within ${percent(report.verdict_slack)} of the least. Where even the least is above ${percent(report.usable_error)}, none is advised.`],
   ];
   return element('section', {class: 'card', id: 'meaning'}, element('h2', {}, 'What the numbers mean'),
     element('dl', {class: 'terms'}, ...terms.map(([term, text]) => element('div', {}, element('dt', {}, term), element('dd', {}, text)))));

@@ -61,5 +61,6 @@ function nearestIndex(rows, time) {
 }
 
 const sceneOf = (object) => report.scenes[object.scene_index];
-const sceneTitle = (scene) => [scene.scene, scene.clip && `clip ${scene.clip}`, scene.lights_from && `lights of ${scene.lights_from}`]
+/** In full, or with the file's name alone. */
+const sceneTitle = (scene, short) => [short ? scene.scene.split('/').pop() : scene.scene, scene.clip && `clip ${scene.clip}`, scene.lights_from && `lights of ${scene.lights_from}`]
   .filter(Boolean).join(', ');

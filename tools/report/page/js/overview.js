@@ -12,7 +12,7 @@ function overview() {
     if (!object.verdict) return;
     verdicts.append(element('li', {},
       element('a', {href: `#object-${i}`}, object.name),
-      element('span', {class: 'where'}, sceneTitle(sceneOf(object))),
+      element('span', {class: 'where', title: sceneTitle(sceneOf(object))}, sceneTitle(sceneOf(object), true)),
       verdictSentence(object)));
   });
   section.append(verdicts);
@@ -47,7 +47,7 @@ function matrix() {
     element('div', {class: 'bar'}, element('h2', {}, 'All objects'), kind.node),
     element('div', {class: 'scroller', tabindex: '0', role: 'region', 'aria-label': 'Errors of all objects'},
       element('table', {class: 'matrix'}, head, body, foot)),
-    element('p', {class: 'hint'}, 'The least error of each object is bold; deeper colour is more error.'));
+    element('p', {class: 'hint'}, 'The least error of each object is bold; the deeper the colour, the larger an error beside it.'));
 }
 
 function matrixRow(object, index, error) {
@@ -56,13 +56,14 @@ function matrixRow(object, index, error) {
   const cells = values.map((value) => {
     if (value === undefined) return element('td', {}, '–');
     const cell = element('td', {class: value === least ? 'least' : null}, figure(100 * value));
-    // Full colour from an error of 50 % on; by the square root, since small errors are where rigs differ.
-    cell.style.setProperty('--heat', `${Math.round(60 * Math.min(1, Math.sqrt(value / 0.5)))}%`);
+    // No colour for the least error of the row, full colour from four times as much on.
+    const excess = value > 0 ? Math.log(value / Math.max(least, 1e-12)) / Math.log(4) : 0;
+    cell.style.setProperty('--heat', `${Math.round(60 * Math.min(1, excess))}%`);
     return cell;
   });
   return element('tr', {}, element('th', {scope: 'row', class: 'name'},
     element('a', {href: `#object-${index}`}, object.name),
-    element('span', {class: 'where'}, sceneTitle(sceneOf(object)))), ...cells);
+    element('span', {class: 'where', title: sceneTitle(sceneOf(object))}, sceneTitle(sceneOf(object), true))), ...cells);
 }
 
 function geometricMean(spec, error) {

@@ -81,7 +81,7 @@ function rigRow(rig, object, shown, isPareto, pick) {
     if (column.key === 'spec') {
       return element('th', {scope: 'row', class: 'name'}, pick,
         isPareto ? element('span', {class: 'mark', title: 'Pareto-optimal'}, '◆', element('span', {class: 'unseen'}, ' Pareto-optimal')) : null,
-        object.rigs.length > 1 && object.verdict?.spec === rig.spec ? element('span', {class: 'badge'}, 'advised') : null);
+        object.rigs.length > 1 && object.verdict?.advised && object.verdict.spec === rig.spec ? element('span', {class: 'badge'}, 'advised') : null);
     }
     const cell = element('td', {class: column.bar ? 'barred' : null, title: column.explain?.(rig)}, column.format(column.get(rig)));
     if (column.bar) {
