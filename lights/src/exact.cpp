@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "local_light.h"
 #include "quadrature.h"
@@ -113,7 +114,14 @@ class WrapCap {
     };
     const double tolerance = kTolerance * peak_;
     const double top = 0.5 * kPi;
-    if (mid + half <= horizon_) return detail::integrateAdaptive(integrand, -top, top, tolerance);
+    if (mid + half <= horizon_) {
+      if (!holdsNormal && !holdsAntipode) {
+        // A vanishes as cos(phi) at both ends, so that the integrand continues to a smooth periodic function.
+        const std::optional<double> sum = detail::integratePeriodic(integrand, -top, top, tolerance);
+        if (sum) return *sum;
+      }
+      return detail::integrateAdaptive(integrand, -top, top, tolerance);
+    }
 
     // Towards the horizon the kernel is (horizon - theta)^(1+a), a power that is no whole number: phi = end - width u^3
     // smooths it.
@@ -138,7 +146,7 @@ class WrapCap {
     return 2 * halfArc * kernel * std::sin(theta);
   }
 
-  static constexpr double kTolerance = 1e-8;  // of the peak pi s^2
+  static constexpr double kTolerance = 1e-9;  // of the peak pi s^2
 
   double a_;
   double normalTheta_;

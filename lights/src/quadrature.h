@@ -1,11 +1,12 @@
-// Adaptive Gauss-Kronrod quadrature in double, without allocation.
+// Quadrature in double without allocation: adaptive Gauss-Kronrod, and the trapezoidal rule for what is periodic.
 //
-// Rule (7, 15) and error estimate after R. Piessens et al., "QUADPACK", Springer 1983 (routine QK15).
+// Gauss-Kronrod rule (7, 15) and error estimate after R. Piessens et al., "QUADPACK", Springer 1983 (routine QK15).
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace rigel::detail {
 
@@ -69,6 +70,34 @@ double integrateAdaptive(const Function& f, double lo, double hi, double toleran
   const double middle = 0.5 * (lo + hi);
   return integrateAdaptive(f, lo, middle, tolerance, maxDepth - 1) +
          integrateAdaptive(f, middle, hi, tolerance, maxDepth - 1);
+}
+
+/// Integral over [lo, hi] of a function that vanishes at both ends and whose mirrored continuation is smooth and
+/// periodic: there the trapezoidal rule converges faster than any power. Doubles from 4 intervals, up to 64, until the
+/// change between the last sums, falling on as it fell before, is within `tolerance`; empty where it never is.
+template <class Function>
+std::optional<double> integratePeriodic(const Function& f, double lo, double hi, double tolerance) noexcept {
+  double step = 0.25 * (hi - lo);
+  double sum = f(lo + step) + f(lo + 2 * step) + f(lo + 3 * step);
+  double lastChange = 0;
+  for (int intervals = 4; intervals < 64; intervals *= 2) {
+    double between = 0;
+    for (int i = 0; i < intervals; ++i) between += f(lo + (i + 0.5) * step);
+    const double coarse = sum * step;
+    sum += between;
+    step *= 0.5;
+    const double value = sum * step;
+    double change = std::abs(value - coarse);
+    if (lastChange == 0) {
+      if (change <= tolerance) return value;
+    } else {
+      // Two sums that agree by chance are not believed: a doubling gains a factor of 1000 at most.
+      change = std::max(change, 1e-3 * lastChange);
+      if (change * std::min(1.0, change / lastChange) <= tolerance) return value;
+    }
+    lastChange = change;
+  }
+  return std::nullopt;
 }
 
 }  // namespace rigel::detail

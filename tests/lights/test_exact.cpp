@@ -114,6 +114,16 @@ TEST(Exact, NormalOnTheRim) {
   worst.expectWithin(kTolerance);
 }
 
+// Two sums of a quadrature may agree by chance: these once did, 1e-6 and 1e-5 off.
+TEST(Exact, CoarseSumsThatAgreeByChance) {
+  Worst worst("exact irradiance, known hard integrands");
+  compare(worst, {{-0.20561114f, -0.806315422f, 0.55459851f}, 0.666403592f, {1, 1, 1}}, {},
+          {0.767854333f, -0.526303887f, 0.365245014f}, 0.267246f);
+  compare(worst, {{-0.276670158f, -0.361302584f, 0.890457213f}, 1.08572483f, {1, 1, 1}}, {},
+          {-0.832438946f, 0.222969234f, -0.507277191f}, 0.987221f);
+  worst.expectWithin(kTolerance);
+}
+
 TEST(Exact, InsideAndTouching) {
   Random random(64);
   Worst worst("exact irradiance, inside and touching");
