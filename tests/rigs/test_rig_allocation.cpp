@@ -18,6 +18,9 @@ void* countedAllocation(std::size_t size, std::size_t alignment) {
 }
 }  // namespace
 
+// GCC inlines delete but not new, and then takes our free for a mismatch.
+#pragma GCC diagnostic ignored "-Wmismatched-new-delete"
+
 void* operator new(std::size_t size) { return countedAllocation(size, 0); }
 void* operator new[](std::size_t size) { return countedAllocation(size, 0); }
 void* operator new(std::size_t size, std::align_val_t a) {
@@ -25,6 +28,15 @@ void* operator new(std::size_t size, std::align_val_t a) {
 }
 void* operator new[](std::size_t size, std::align_val_t a) {
   return countedAllocation(size, static_cast<std::size_t>(a));
+}
+// The library's nothrow forms would reach these, but a sanitizer's own would not.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  ++allocations;
+  return std::malloc(size);
+}
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept {
+  ++allocations;
+  return std::malloc(size);
 }
 void operator delete(void* p) noexcept { std::free(p); }
 void operator delete[](void* p) noexcept { std::free(p); }
