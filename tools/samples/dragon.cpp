@@ -148,15 +148,17 @@ void addLights(Scene& scene, AnimationBuilder& fly) {
     const glm::vec3 at{away * std::cos(angle), std::max(0.08f, 0.5f + 0.85f * away * std::sin(angle)), z};
     const float reach = away - 0.35f;  // to the body's surface
     const Rgb colour = hue(scatter.uniform(0, 1)) * (scatter.uniform(0.5f, 1.3f) * reach * reach);
+    // Larger where farther: a small bright ball in a sample's place would drown everything else.
+    const float radius = scatter.uniform(0.04f, 0.06f) * (1 + reach);
     const std::string name = "light " + std::to_string(i + 1);
     int node = -1;
     if (i % 3 == 2) {
       PointLight point;
       point.intensity = colour;
-      point.radius = 0.03f;
+      point.radius = radius;
       node = addLight(scene, name, point, kNoParent, at);
     } else {
-      node = addLight(scene, name, sphereOfIntensity(scatter.uniform(0.03f, 0.09f), colour), kNoParent, at);
+      node = addLight(scene, name, sphereOfIntensity(radius, colour), kNoParent, at);
     }
     if (isClose || i % 5 != 0) continue;
     // Fireflies: every fifth light wanders round a loop, back where it began at the end of the clip.

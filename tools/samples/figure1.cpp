@@ -14,11 +14,11 @@ namespace {
 
 // Distances from the box, in object sizes (the box's diagonal, 5.1 m): figure 1 holds at 0.10 to 0.15.
 constexpr float kCornerDistance = 0.10f;  // along the box's diagonal, outwards
-constexpr float kRoofDistance = 0.13f;    // straight up
-constexpr float kRoofSpread = 0.22f;      // of the roof lights along the car, as a share of its length
+constexpr float kRoofDistance = 0.15f;    // straight up
+constexpr float kRoofSpread = 0.35f;      // of the roof lights along the car, as a share of its length
 constexpr float kLightRadius = 0.06f;     // m
 constexpr Rgb kCornerIntensity[4] = {{1.4f, 1.1f, 0.7f}, {0.75f, 1.0f, 1.4f}, {1.3f, 1.1f, 0.9f}, {0.9f, 1.15f, 1.2f}};
-constexpr Rgb kRoofIntensity{0.55f, 0.52f, 0.48f};
+constexpr Rgb kRoofIntensity{0.72f, 0.7f, 0.65f};
 
 }  // namespace
 

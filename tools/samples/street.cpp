@@ -101,7 +101,7 @@ int addColumn(Scene& scene) {
 Scene makeStreet() {
   Scene scene;
   scene.name = "street";
-  const Car car = addCar(scene, {0.52f, 0.05f, 0.04f});
+  const Car car = addCar(scene, {0.36f, 0.5f, 0.57f});
   addRoad(scene);
   addLamps(scene);
   const int column = addColumn(scene);
