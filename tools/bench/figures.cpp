@@ -96,10 +96,10 @@ void addRigCases(std::vector<Case>& cases) {
        {"constant", "gradient", "mixed:l3,g,c", "lattice:3x2x2", "lattice:8x4x2", "poly:6", "poly:12"}) {
     struct Fitted {
       std::vector<Vec3> surface = bodySurface();
+      RigBox box{{-0.3f, -0.9f, -0.2f}, {0.3f, 0.9f, 0.2f}};
       Rig rig;
       std::vector<Vec3> anchors;
       std::vector<Sh> functionals, coefficients;
-      RigBox box{{-0.3f, -0.9f, -0.2f}, {0.3f, 0.9f, 0.2f}};
       explicit Fitted(const std::string& spec) : rig(*Rig::create(*parseRigSpec(spec), {box, surface})) {
         for (int i : rig.anchors()) anchors.push_back(surface[i]);
         functionals.resize(rig.projections());

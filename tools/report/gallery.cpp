@@ -48,12 +48,12 @@ class Photographer {
       caster.add(object, scenery, SampleKind::scenery);
     }
     addLights(caster, lights, kLightMarker * sphere.radius, kLightBrightness);
-    surface_ = caster.cast(frameSphere(sphere, kWidth, kHeight));
+    surface_ = caster.cast(framePoints(posed_.positions, kWidth, kHeight));
     if (wrap)
       for (VisibleSample& sample : surface_.samples) sample.wrap = *wrap;
 
     exact_ = exactIrradiance(surface_, lights);
-    exposure_ = autoExposure(shade(surface_, exact_));
+    exposure_ = autoExposure(surface_, shade(surface_, exact_));
     for (std::size_t i = 0; i < surface_.samples.size(); ++i) {
       const VisibleSample& sample = surface_.samples[i];
       if (sample.kind != SampleKind::object) continue;
@@ -76,7 +76,7 @@ class Photographer {
     return all;
   }
 
-  Image radiance(std::span<const Rgb> irradiance) const { return resolve(surface_, shade(surface_, irradiance)); }
+  Image radiance(std::span<const Rgb> irradiance) const { return resolve(surface_, shade(surface_, irradiance, 1 / exposure_)); }
   Image8 display(const Image& radiance) const { return toneMap(radiance, exposure_); }
 
   /// rig - truth over the run's mean exact irradiance, per sample and channel; 0 off the object.
