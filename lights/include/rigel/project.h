@@ -4,7 +4,7 @@
 // for small r/d nor near contact. Inside a sphere (d < r) the continuous extension: hemisphere at d = r, full sphere at
 // d = 0. Distances are formed in double from the float positions, the rest is float. Total functions: input of any
 // scale gives finite output (see kMaxProjectionScale); a light contributes 0 where it or p holds a NaN or is infinitely
-// far.
+// far (a directional light looks at no p).
 #pragma once
 
 #include <rigel/light.h>
