@@ -4,6 +4,7 @@
 #include "report/report_json.h"
 #include "report/report_text.h"
 #include "report/scene_run.h"
+#include "report/staged_images.h"
 #include "report/write_report.h"
 
 #include <rigel/sh.h>
@@ -72,9 +73,11 @@ int runReportCommand(const Arguments& arguments) {
   if (!options) return fail(kExitBadUse, options.error().line());
 
   const std::filesystem::path out(arguments.out);
+  StagedImages images(out);
   auto report = [&] {
     ProgressLine progress(arguments.quiet);
-    return runReport(*options, out / "images", [&](double share, const std::string& what) { progress(share, what); });
+    return runReport(*options, images.directory(),
+                     [&](double share, const std::string& what) { progress(share, what); });
   }();
   if (!report) return fail(kExitBadInput, report.error().line());
   report->version = RIGEL_VERSION;
@@ -82,6 +85,7 @@ int runReportCommand(const Arguments& arguments) {
 
   const auto written = writeReport(*report, out);
   if (!written) return fail(kExitBadInput, written.error().line());
+  if (const auto error = images.commit()) return fail(kExitBadInput, error->line());
   if (arguments.json) {
     fmt::print("{}\n", jsonText(*reportJson(*report), -1));  // written above, so it is sound
   } else {

@@ -4,6 +4,7 @@
 #include "picture/image_io.h"
 #include "picture/shade_exact.h"
 #include "picture/tone_map.h"
+#include "report/staged_images.h"
 
 #include <fmt/format.h>
 
@@ -76,7 +77,9 @@ class Photographer {
     return all;
   }
 
-  Image radiance(std::span<const Rgb> irradiance) const { return resolve(surface_, shade(surface_, irradiance, 1 / exposure_)); }
+  Image radiance(std::span<const Rgb> irradiance) const {
+    return resolve(surface_, shade(surface_, irradiance, 1 / exposure_));
+  }
   Image8 display(const Image& radiance) const { return toneMap(radiance, exposure_); }
 
   /// rig - truth over the run's mean exact irradiance, per sample and channel; 0 off the object.
@@ -130,7 +133,7 @@ class PictureWriter {
 
   std::optional<Error> write(const std::string& stem, const Image& linear, const Image8& display, std::string& exr,
                              std::string& png, std::vector<std::uint8_t>& bytes) const {
-    const std::string folder = directory_.filename().string() + "/";
+    const std::string folder = std::string(kImageFolder) + "/";
     if (auto written = writeExr(linear, directory_ / (stem + ".exr")); !written) return written.error();
     auto encoded = encodePng(display);
     if (!encoded) return encoded.error();

@@ -24,20 +24,20 @@ double square(double x) { return x * x; }
 
 }  // namespace
 
-Result<ObjectRun> ObjectRun::create(const SceneObject& object, const PosedObject& rest, std::span<const RigSpec> rigs,
-                                    int bands, int samples, std::optional<float> wrap) {
+Result<ObjectRun> ObjectRun::create(const SceneObject& object, const PosedObject& rest, const RunOptions& options,
+                                    int timings) {
   ObjectRun run(object);
-  run.bands_ = bands;
-  auto surface = chooseSurface(object, rest, samples, wrap);
+  run.bands_ = options.bands;
+  run.timings_ = timings;
+  auto surface = chooseSurface(object, rest, options.samples, options.wrap);
   if (!surface) return surface.error();
   run.surface_ = *std::move(surface);
-  for (const RigSpec& spec : rigs) {
-    auto runner = makeRigRunner(spec, bands, object, rest, run.surface_);
+  for (const RigSpec& spec : options.rigs) {
+    auto runner = makeRigRunner(spec, options.bands, object, rest, run.surface_);
     if (!runner) return runner.error();
     run.runners_.push_back(*std::move(runner));
   }
-  run.tallies_.resize(rigs.size());
-  for (Tally& tally : run.tallies_) tally.error.resize(run.surface_.measured.size());
+  run.tallies_.resize(options.rigs.size());
   run.shaded_.resize(run.surface_.measured.size());
   return run;
 }
@@ -51,10 +51,12 @@ void ObjectRun::measure(double time, const PosedObject& posed, const LightSet& l
   frames_.push_back(frame);
 
   for (std::size_t r = 0; r < runners_.size(); ++r) {
-    runners_[r]->fit(*object_, posed, lights);
-    runners_[r]->shade(truth_.points, surface_.wrap, shaded_);
+    for (int i = 0; i < timings_; ++i) {
+      runners_[r]->fit(*object_, posed, lights);
+      runners_[r]->shade(truth_.points, surface_.wrap, shaded_);
+      tallies_[r].times.push_back(runners_[r]->times);
+    }
     compare(tallies_[r], shaded_);
-    tallies_[r].times.push_back(runners_[r]->times);
     tallies_[r].condition = std::max(tallies_[r].condition, runners_[r]->rig().condition());
   }
 }

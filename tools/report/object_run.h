@@ -3,14 +3,16 @@
 
 #include "report/report_data.h"
 #include "report/rig_runner.h"
+#include "report/run_options.h"
 
 namespace rigel::tools {
 
 class ObjectRun {
  public:
-  /// Error when the object has no area or a rig cannot be built for it.
-  static Result<ObjectRun> create(const SceneObject& object, const PosedObject& rest, std::span<const RigSpec> rigs,
-                                  int bands, int samples, std::optional<float> wrap);
+  /// Each frame is timed `timings` times: runs of few frames want several, for a median that means something. Error
+  /// when the object has no area or a rig cannot be built for it.
+  static Result<ObjectRun> create(const SceneObject& object, const PosedObject& rest, const RunOptions& options,
+                                  int timings);
 
   /// Fits, evaluates and compares every rig in one frame. Frames come in the order of time.
   void measure(double time, const PosedObject& posed, const LightSet& lights);
@@ -44,6 +46,7 @@ class ObjectRun {
 
   const SceneObject* object_;
   int bands_ = 3;
+  int timings_ = 1;
   SurfaceSet surface_;
   std::vector<std::unique_ptr<RigRunner>> runners_;
   std::vector<Tally> tallies_;

@@ -54,7 +54,11 @@ class RunnerOf final : public RigRunner {
   }
 
   const Rig& rig() const override { return rig_; }
-  std::size_t bytes() const override { return coefficients_.size() * sizeof(RadianceSH<B>); }
+  std::size_t bytes() const override {
+    // As the shaders read them: an SH vector starts on a vec4.
+    constexpr std::size_t kVec4 = 4 * sizeof(float);
+    return coefficients_.size() * ((sizeof(RadianceSH<B>) + kVec4 - 1) / kVec4 * kVec4);
+  }
 
  private:
   Rig rig_;

@@ -27,7 +27,7 @@ class RigRunner {
   virtual void shade(std::span<const PointAndNormal> points, std::span<const float> wrap, std::span<Rgb> out) = 0;
 
   virtual const Rig& rig() const = 0;
-  virtual std::size_t bytes() const = 0;  // of the coefficients, float32
+  virtual std::size_t bytes() const = 0;  // of the float32 coefficient buffer
   StageTimes times;                       // of the last fit and shade
 };
 

@@ -68,7 +68,7 @@ class SceneRun {
   Result<SceneReport> run(const Timeline& timeline, const std::filesystem::path& imageDirectory, bool longNames,
                           const Progress& progress) const {
     const auto start = std::chrono::steady_clock::now();
-    auto runs = createObjectRuns();
+    auto runs = createObjectRuns(timeline);
     if (!runs) return runs.error();
 
     std::optional<LightTransplant> transplant;
@@ -120,7 +120,9 @@ class SceneRun {
     return source_ + (timeline.clipName.empty() ? "" : " (" + timeline.clipName + ")");
   }
 
-  Result<std::vector<ObjectRun>> createObjectRuns() const {
+  Result<std::vector<ObjectRun>> createObjectRuns(const Timeline& timeline) const {
+    constexpr int kLeastTimings = 16;
+    const int timings = std::max(1, kLeastTimings / static_cast<int>(timeline.frames.size()));
     ScenePose rest;
     poseScene(*scene_, kRestPose, 0, rest);
     PosedObject posed;
@@ -128,7 +130,7 @@ class SceneRun {
     for (const SceneObject& object : objects_) {
       if (object.isStatic) continue;
       poseObject(*scene_, object, rest, posed);
-      auto run = ObjectRun::create(object, posed, options_.rigs, options_.bands, options_.samples, options_.wrap);
+      auto run = ObjectRun::create(object, posed, options_, timings);
       if (!run) return Error{run.error().line(), source_};
       runs.push_back(*std::move(run));
     }
