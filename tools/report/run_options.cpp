@@ -18,7 +18,9 @@ Result<FrameRange> parseFrameRange(const std::string& text) {
   FrameRange range;
   const std::string_view all = text;
   const auto colon = all.find(':');
-  if (!parseNumber(all.substr(0, colon), range.first)) return malformed;
+  if (const auto first = all.substr(0, colon); !first.empty() || colon == std::string_view::npos) {
+    if (!parseNumber(first, range.first)) return malformed;
+  }
   if (colon == std::string_view::npos) {
     range.last = range.first;
   } else {

@@ -19,7 +19,7 @@ struct FrameRange {
   int step = 1;
 };
 
-/// "A:B:STEP", "A:B", "A:" or "A".
+/// "A:B:STEP", with A, B and :STEP left out at will; "A" is one frame.
 Result<FrameRange> parseFrameRange(const std::string& text);
 
 struct RunOptions {

@@ -50,7 +50,7 @@ class SceneRun {
     run.source_ = source;
     run.scene_ = std::make_unique<Scene>(*std::move(scene));
     scaleLights(*run.scene_, options.exposure);
-    if (donor == nullptr && run.scene_->lights.empty())
+    if (donor == nullptr && std::ranges::all_of(run.scene_->nodes, [](const Node& node) { return node.light < 0; }))
       return Error{"the scene has no lights (borrow some: --lights sample:street)", source};
     run.objects_ = findObjects(*run.scene_);
     if (std::ranges::all_of(run.objects_, &SceneObject::isStatic))
