@@ -26,8 +26,8 @@ namespace {
 using detail::SphereView;
 using detail::Vec3d;
 
-/// A cap of directions and a normal. x = cos of the angle between axis and normal, s and c the sine and cosine of the
-/// half-angle; normalTheta and alpha the angles themselves.
+/// A cap of directions and a normal: cosine and sine of the angle between axis and normal, sine and cosine of the cap's
+/// half-angle.
 struct Cap {
   double x = 0;
   double sinNormal = 0;
@@ -170,8 +170,7 @@ double sphereIrradiance(const SphereView& view, Vec3d n, double a) noexcept {
   return view.inside ? std::max(0.0, kPi * 2 * (1 + a) / (2 + a) - capped) : capped;
 }
 
-/// Irradiance divided by min(1, (r/d)^2), as localTerm wants it; far beyond any reach of double the direct light is
-/// what is left.
+/// Irradiance of a point, spot or sphere light of the given colour.
 RgbD localIrradiance(const detail::LocalTerm& term, Rgb colour, Vec3 n, float wrap) noexcept {
   const Vec3d normal = detail::directionOf(n);
   if (!term.view.valid || !(term.modulation.value > 0) || detail::dot(normal, normal) == 0) return {};

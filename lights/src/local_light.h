@@ -93,18 +93,25 @@ struct LocalTerm {
   Modulation modulation;
 };
 
-inline LocalTerm localTerm(const SphereLight& light, Vec3 p) noexcept {
+// `footprint`: the receiver is a patch of this radius rather than a point. The light is seen as if it were at least
+// that large, with the same power: what a patch receives on average stays bounded however close the light comes.
+
+inline LocalTerm localTerm(const SphereLight& light, Vec3 p, float footprint = 0) noexcept {
   LocalTerm term;
   if (anyNan(light.position) || anyNan(light.radius) || anyNan(light.radiance)) return term;
-  term.view = viewSphere(light.position, light.radius, p);
+  term.view = viewSphere(light.position, light.radius > 0 ? std::max(light.radius, footprint) : 0, p);
   term.fluxScale = 2 * kPi * term.view.capSolidAngleShare();
+  if (light.radius < footprint) {
+    const double share = light.radius / term.view.radius;
+    term.fluxScale *= share * share;
+  }
   return term;
 }
 
-inline LocalTerm localTerm(const PointLight& light, Vec3 p) noexcept {
+inline LocalTerm localTerm(const PointLight& light, Vec3 p, float footprint = 0) noexcept {
   LocalTerm term;
   if (anyNan(light.position) || anyNan(light.radius, light.range) || anyNan(light.intensity)) return term;
-  term.view = viewSphere(light.position, std::max(light.radius, kMinPointRadius), p);
+  term.view = viewSphere(light.position, std::max({light.radius, kMinPointRadius, footprint}), p);
   // L = I / (pi r^2); r^2 cancels outside, so that tiny radii neither overflow nor lose bits.
   const double reach = std::max(term.view.distance, term.view.radius);
   term.fluxScale = 2 / (reach * reach);
@@ -112,10 +119,10 @@ inline LocalTerm localTerm(const PointLight& light, Vec3 p) noexcept {
   return term;
 }
 
-inline LocalTerm localTerm(const SpotLight& light, Vec3 p) noexcept {
+inline LocalTerm localTerm(const SpotLight& light, Vec3 p, float footprint = 0) noexcept {
   LocalTerm term;
   if (anyNan(light.direction) || anyNan(light.innerAngle, light.outerAngle)) return term;
-  term = localTerm(PointLight{light.position, light.intensity, light.radius, light.range}, p);
+  term = localTerm(PointLight{light.position, light.intensity, light.radius, light.range}, p, footprint);
   if (term.view.valid && term.modulation.value > 0) term.modulation = term.modulation * spotCone(term.view, light);
   return term;
 }

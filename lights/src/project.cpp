@@ -94,8 +94,8 @@ void accumulateGradient(const LocalTerm& term, Rgb colour, RadianceShGradient<B>
 }
 
 template <int B, class Light>
-void accumulate(const Light& light, Vec3 p, RadianceSH<B>& sh) noexcept {
-  const LocalTerm term = detail::localTerm(light, p);
+void accumulate(const Light& light, Vec3 p, float footprint, RadianceSH<B>& sh) noexcept {
+  const LocalTerm term = detail::localTerm(light, p, footprint);
   if (!term.view.valid || !(term.modulation.value > 0)) return;
   accumulateValue<B>(term, detail::colourOf(light), sh);
 }
@@ -120,31 +120,31 @@ RadianceSH<B> project(const DirectionalLight& light, Vec3) noexcept {
 template <int B>
 RadianceSH<B> project(const PointLight& light, Vec3 p) noexcept {
   RadianceSH<B> sh;
-  accumulate<B>(light, p, sh);
+  accumulate<B>(light, p, 0, sh);
   return sh;
 }
 
 template <int B>
 RadianceSH<B> project(const SpotLight& light, Vec3 p) noexcept {
   RadianceSH<B> sh;
-  accumulate<B>(light, p, sh);
+  accumulate<B>(light, p, 0, sh);
   return sh;
 }
 
 template <int B>
 RadianceSH<B> project(const SphereLight& light, Vec3 p) noexcept {
   RadianceSH<B> sh;
-  accumulate<B>(light, p, sh);
+  accumulate<B>(light, p, 0, sh);
   return sh;
 }
 
 template <int B>
-RadianceSH<B> project(const LightSet& lights, Vec3 p) noexcept {
+RadianceSH<B> project(const LightSet& lights, Vec3 p, float footprint) noexcept {
   RadianceSH<B> sh;
   for (int i = 0; i < lights.directionalCount(); ++i) accumulate<B>(lights.directional(i), sh);
-  for (int i = 0; i < lights.pointCount(); ++i) accumulate<B>(lights.point(i), p, sh);
-  for (int i = 0; i < lights.spotCount(); ++i) accumulate<B>(lights.spot(i), p, sh);
-  for (int i = 0; i < lights.sphereCount(); ++i) accumulate<B>(lights.sphere(i), p, sh);
+  for (int i = 0; i < lights.pointCount(); ++i) accumulate<B>(lights.point(i), p, footprint, sh);
+  for (int i = 0; i < lights.spotCount(); ++i) accumulate<B>(lights.spot(i), p, footprint, sh);
+  for (int i = 0; i < lights.sphereCount(); ++i) accumulate<B>(lights.sphere(i), p, footprint, sh);
   return sh;
 }
 
@@ -189,12 +189,13 @@ ProjectionWithGradient<B> projectWithGradient(const LightSet& lights, Vec3 p) no
 #define RIGEL_INSTANTIATE_FOR(B, Light)                           \
   template RadianceSH<B> project<B>(const Light&, Vec3) noexcept; \
   template ProjectionWithGradient<B> projectWithGradient<B>(const Light&, Vec3) noexcept;
-#define RIGEL_INSTANTIATE(B)                 \
-  RIGEL_INSTANTIATE_FOR(B, DirectionalLight) \
-  RIGEL_INSTANTIATE_FOR(B, PointLight)       \
-  RIGEL_INSTANTIATE_FOR(B, SpotLight)        \
-  RIGEL_INSTANTIATE_FOR(B, SphereLight)      \
-  RIGEL_INSTANTIATE_FOR(B, LightSet)
+#define RIGEL_INSTANTIATE(B)                                                \
+  RIGEL_INSTANTIATE_FOR(B, DirectionalLight)                                \
+  RIGEL_INSTANTIATE_FOR(B, PointLight)                                      \
+  RIGEL_INSTANTIATE_FOR(B, SpotLight)                                       \
+  RIGEL_INSTANTIATE_FOR(B, SphereLight)                                     \
+  template RadianceSH<B> project<B>(const LightSet&, Vec3, float) noexcept; \
+  template ProjectionWithGradient<B> projectWithGradient<B>(const LightSet&, Vec3) noexcept;
 
 RIGEL_INSTANTIATE(2)
 RIGEL_INSTANTIATE(3)

@@ -2,6 +2,7 @@
 // "Clustering to minimize the maximum intercluster distance", 1985.
 #include "anchors.h"
 
+#include <cmath>
 #include <limits>
 
 namespace rigel {
@@ -47,6 +48,7 @@ Anchors chooseAnchors(std::span<const Vec3> surface, int count) {
   if (static_cast<int>(surface.size()) <= count) {
     for (int i = 0; i < static_cast<int>(surface.size()); ++i) anchors.index.push_back(i);
     anchors.share.assign(surface.size(), 1 / static_cast<float>(surface.size()));
+    anchors.radius.assign(surface.size(), 0);
     return anchors;
   }
 
@@ -74,8 +76,12 @@ Anchors chooseAnchors(std::span<const Vec3> surface, int count) {
     if (best < 0 || squaredDistance(surface[i], centre) < squaredDistance(surface[best], centre))
       best = static_cast<int>(i);
   }
+  std::vector<float> squares(count, 0);
+  for (std::size_t i = 0; i < surface.size(); ++i)
+    squares[cluster[i]] += squaredDistance(surface[i], surface[medoid[cluster[i]]]);
   for (int c = 0; c < count; ++c) {
     if (medoid[c] < 0) continue;
+    anchors.radius.push_back(std::sqrt(2 * squares[c] / static_cast<float>(population[c])));
     anchors.index.push_back(medoid[c]);
     anchors.share.push_back(static_cast<float>(population[c]) / static_cast<float>(surface.size()));
   }

@@ -8,10 +8,11 @@
 
 namespace rigel {
 
-/// Points of the surface that represent it, and the share of its area that each stands for (sums to 1).
+/// Points of the surface that represent it, each for the patch of points nearest to it.
 struct Anchors {
   std::vector<int> index;
-  std::vector<float> share;
+  std::vector<float> share;   // of the surface's area; sums to 1
+  std::vector<float> radius;  // of a disc with the patch's spread: sqrt(2) times its rms distance from the anchor
 };
 
 /// `count` medoids of a k-means clustering of `surface` (all of it when it has no more points than that).

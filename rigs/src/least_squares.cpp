@@ -13,9 +13,11 @@ namespace {
 constexpr int kMaxFunctions = kMaxLsqVectors;
 constexpr int kMaxPoints = 2 * kMaxLsqVectors;
 
-// Pull per coefficient, relative to the diagonal of the normal matrix. Far below what the fit resolves (its effect on
-// reproduced polynomials is about this number), far above rounding.
+// Pull per coefficient, on a normal matrix of unit diagonal. Its relative effect on a function that the basis spans is
+// this times the squared condition number: 1e-4 for a condition of 10. It bounds the condition that can be seen at 1e3.
 constexpr double kRidge = 1e-6;
+
+constexpr double kLeastSquare = 1e-24;  // of a function's mean square below which it counts as zero
 
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, kMaxPoints, kMaxFunctions>;
 using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMaxFunctions, kMaxFunctions>;
@@ -28,6 +30,7 @@ struct LeastSquares::Workspace {
   RowMatrix a;
   Square normal;
   RightSide right;
+  Vector scale;
   Eigen::LLT<Square> factor;
 };
 
@@ -43,7 +46,7 @@ std::span<double> LeastSquares::row(int point) noexcept {
 
 double LeastSquares::solve(std::span<const float> weights, std::span<const double> constant,
                            std::span<float> op) noexcept {
-  auto& [a, normal, right, factor] = *work_;
+  auto& [a, normal, right, scale, factor] = *work_;
   const auto points = a.rows();
   const auto functions = a.cols();
 
@@ -52,17 +55,24 @@ double LeastSquares::solve(std::span<const float> weights, std::span<const doubl
   right.resize(functions, points);
   for (Eigen::Index s = 0; s < points; ++s) right.col(s) = a.row(s).transpose() * static_cast<double>(weights[s]);
   normal.noalias() = right.lazyProduct(a);
-  for (Eigen::Index k = 0; k < functions; ++k) normal(k, k) += kRidge * normal(k, k) + 1e-12;
+  // Unit diagonal: neither ridge nor condition number depends on the functions' units. A function that is zero at every
+  // point (a flat object) keeps coefficient 0.
+  scale = normal.diagonal().unaryExpr([](double d) { return d > kLeastSquare ? 1 / std::sqrt(d) : 0.0; });
+  for (Eigen::Index k = 0; k < functions; ++k) {
+    for (Eigen::Index j = 0; j < functions; ++j) normal(j, k) *= scale(j) * scale(k);
+    normal(k, k) = scale(k) > 0 ? 1 + kRidge : 1;
+  }
   factor.compute(normal);
 
   // Row sums against the mean: (A^T W)(I - 1 w^T).
   const Vector total = right.rowwise().sum();
   for (Eigen::Index s = 0; s < points; ++s) right.col(s) -= total * static_cast<double>(weights[s]);
+  for (Eigen::Index k = 0; k < functions; ++k) right.row(k) *= scale(k);
   factor.solveInPlace(right);
   for (Eigen::Index k = 0; k < functions; ++k)
     for (Eigen::Index s = 0; s < points; ++s)
       op[static_cast<std::size_t>(k * points + s)] =
-          static_cast<float>(right(k, s) + constant[k] * static_cast<double>(weights[s]));
+          static_cast<float>(scale(k) * right(k, s) + constant[k] * static_cast<double>(weights[s]));
 
   return std::sqrt(1 / std::max(factor.rcond(), 1e-30));
 }

@@ -37,19 +37,24 @@ class Rig::Model {
   double condition = 1;
 };
 
-/// Centre and half extents of a box; `inverseHalf` is 0 along an axis without extent, so that coordinates there are 0.
+/// Centre and half extents of a box; `inverseHalf` is 0 along an axis of (next to) no extent, so that coordinates there
+/// are 0.
 struct BoxCoordinates {
   Vec3 centre, half, inverseHalf;
 
   explicit BoxCoordinates(const RigBox& box = {}) noexcept
-      : centre((box.lo + box.hi) * 0.5f), half((box.hi - box.lo) * 0.5f) {
-    for (int axis = 0; axis < 3; ++axis) inverseHalf[axis] = half[axis] > 0 ? 1 / half[axis] : 0;
+      : centre(box.lo * 0.5f + box.hi * 0.5f), half(box.hi * 0.5f - box.lo * 0.5f) {
+    for (int axis = 0; axis < 3; ++axis) inverseHalf[axis] = half[axis] > kLeastExtent ? 1 / half[axis] : 0;
   }
-  /// [-1, 1] inside the box.
+  /// [-1, 1] inside the box; 0 for a coordinate that is not a number.
   Vec3 operator()(Vec3 p) const noexcept {
+    const auto finite = [](float u) { return u == u ? u : 0.0f; };
     const Vec3 d = p - centre;
-    return {d.x * inverseHalf.x, d.y * inverseHalf.y, d.z * inverseHalf.z};
+    return {finite(d.x * inverseHalf.x), finite(d.y * inverseHalf.y), finite(d.z * inverseHalf.z)};
   }
+
+ private:
+  static constexpr float kLeastExtent = 1e-30f;  // m; its inverse, squared in a polynomial, is still a float
 };
 
 }  // namespace rigel

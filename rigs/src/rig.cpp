@@ -16,6 +16,7 @@ bool isFinite(Vec3 v) noexcept { return std::isfinite(v.x) && std::isfinite(v.y)
 }  // namespace
 
 Result<Rig> Rig::create(const RigSpec& spec, const RigShape& rest) {
+  if (auto error = checkRigSpec(spec)) return *std::move(error);
   const RigBox& box = rest.box;
   const std::string place = "rig '" + spec.text + "'";
   if (!isFinite(box.lo) || !isFinite(box.hi) || box.lo.x > box.hi.x || box.lo.y > box.hi.y || box.lo.z > box.hi.z)

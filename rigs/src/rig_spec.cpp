@@ -1,7 +1,11 @@
-// Parses the text form of rig models. Grammar (blanks ignored):
-//   spec   := ("constant" | "gradient" | "lattice:" AxBxC [":" kernel] | "mixed:" ["xyz:"] m "," m "," m | "poly:" K)
-//   ["@" fit] m      := "c" | "g" | "l" N          kernel := "linear" | "smooth" | "cubic" fit    := "corners" |
-//   "numeric" | "lsq"
+// Parses the text form of rig models. Grammar, blanks ignored:
+//
+//   spec   := ( "constant" | "gradient" | lattice | mixed | "poly:" K ) [ "@" fit ]
+//   lattice:= "lattice:" N "x" N "x" N [ ":" kernel ]
+//   mixed  := "mixed:" [ "xyz:" ] axis "," axis "," axis
+//   axis   := "c" | "g" | "l" N
+//   kernel := "linear" | "smooth" | "cubic"
+//   fit    := "corners" | "numeric" | "lsq"
 #include <rigel/rig_spec.h>
 
 #include <algorithm>
@@ -10,8 +14,6 @@
 
 namespace rigel {
 namespace {
-
-constexpr int kMaxAxisNodes = 64;
 
 std::optional<int> parseInt(std::string_view text) {
   int value = 0;
@@ -135,6 +137,25 @@ int RigSpec::shVectors() const noexcept {
   return nodes * (1 + slopes);
 }
 
+std::optional<Error> checkRigSpec(const RigSpec& spec) {
+  const std::string place = "rig spec '" + spec.text + "'";
+  if (spec.family == RigSpec::Family::poly) {
+    if (spec.polyTerms < 1 || spec.polyTerms > kMaxPolyTerms)
+      return Error{"a poly rig has 1 to " + std::to_string(kMaxPolyTerms) + " terms", place};
+    return std::nullopt;
+  }
+  for (const AxisModel& axis : spec.axes)
+    if (axis.nodes < 1 || axis.nodes > kMaxAxisNodes || (axis.nodes > 1) != (axis.kind == AxisModel::Kind::lattice))
+      return Error{"a lattice axis has 2 to " + std::to_string(kMaxAxisNodes) + " nodes, any other has one", place};
+  const bool lsq = spec.fit == FitMethod::lsq;
+  const int limit = lsq ? kMaxLsqVectors : kMaxShVectors;
+  if (spec.shVectors() > limit)
+    return Error{std::to_string(spec.shVectors()) + " SH vectors; at most " + std::to_string(limit) +
+                     (lsq ? " with least squares" : ""),
+                 place};
+  return std::nullopt;
+}
+
 Result<RigSpec> parseRigSpec(std::string_view text) {
   RigSpec spec;
   std::ranges::copy_if(text, std::back_inserter(spec.text), [](char c) { return c != ' ' && c != '\t'; });
@@ -145,12 +166,7 @@ Result<RigSpec> parseRigSpec(std::string_view text) {
   std::string wrong = parseModel(std::string_view(spec.text).substr(0, at), spec);
   if (wrong.empty() && at != std::string::npos) wrong = parseFit(std::string_view(spec.text).substr(at + 1), spec);
   if (!wrong.empty()) return Error{wrong, place};
-
-  const int limit = spec.fit == FitMethod::lsq ? kMaxLsqVectors : kMaxShVectors;
-  if (spec.shVectors() > limit)
-    return Error{std::to_string(spec.shVectors()) + " SH vectors; at most " + std::to_string(limit) +
-                     (spec.fit == FitMethod::lsq ? " with least squares" : ""),
-                 place};
+  if (const auto error = checkRigSpec(spec)) return *error;
   return spec;
 }
 
@@ -159,8 +175,10 @@ Result<std::vector<RigSpec>> parseRigSpecs(std::string_view text) {
   for (std::string_view part : split(text, ';')) {
     auto spec = parseRigSpec(part);
     if (!spec) return spec.error();
-    if (std::ranges::any_of(specs, [&](const RigSpec& other) { return other.text == spec->text; }))
-      return Error{"given twice", "rig spec '" + spec->text + "'"};
+    if (const auto other = std::ranges::find(specs, *spec); other != specs.end()) {
+      const bool sameText = other->text == spec->text;
+      return Error{sameText ? "given twice" : "the same rig as '" + other->text + "'", "rig spec '" + spec->text + "'"};
+    }
     specs.push_back(*std::move(spec));
   }
   return specs;

@@ -39,6 +39,7 @@ TEST(RigHardCases, DegenerateShapes) {
       {"a line", ellipsoid({}, {1, 0, 0}, 100)},
       {"a plane", ellipsoid({}, {1, 0, 2}, 100)},
       {"a needle", ellipsoid({}, {10, 1e-6f, 1e-6f}, 100)},
+      {"a leaf of no thickness to speak of", ellipsoid({}, {1, 1e-39f, 2}, 100)},
       {"tiny", ellipsoid({}, {1e-10f, 2e-10f, 1e-10f}, 100)},
       {"huge", ellipsoid({}, {1e10f, 2e10f, 1e10f}, 100)},
       {"far from the origin", ellipsoid({1e6f, 0, 0}, {1, 1, 1}, 100)}};
@@ -48,6 +49,30 @@ TEST(RigHardCases, DegenerateShapes) {
     expectFinite(surface, nearLights(box.hi, size), what + ", light at a corner");
     expectFinite(surface, nearLights((box.lo + box.hi) * 0.5f, size), what + ", light at the centre");
     expectFinite(surface, nearLights(surface[0], size), what + ", light on the surface");
+  }
+}
+
+TEST(RigHardCases, PointsThatAreNotNumbersOrFarOff) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const float infinity = std::numeric_limits<float>::infinity();
+  const auto surface = ellipsoid({}, {1, 1, 1}, 200);
+  for (const std::string& text : everyKindOfSpec()) {
+    const Rig rig = rigOf(text, surface);
+    for (Vec3 p :
+         {Vec3{nan, 0, 0}, Vec3{nan, nan, nan}, Vec3{infinity, 0, 0}, Vec3{0, -infinity, 0}, Vec3{1e30f, 0, 0}}) {
+      RigBasis phi;
+      rig.basis(p, phi);
+      ASSERT_GE(phi.count, 1) << text;
+      for (int j = 0; j < phi.count; ++j) {
+        ASSERT_GE(phi.index[j], 0) << text;
+        ASSERT_LT(phi.index[j], rig.shVectors()) << text;
+      }
+    }
+    RigBasis atNan, atCentre;
+    rig.basis({nan, nan, nan}, atNan);
+    const RigBox box = boxOf(surface);
+    rig.basis((box.lo + box.hi) * 0.5f, atCentre);
+    for (int j = 0; j < atCentre.count; ++j) EXPECT_EQ(atNan.value[j], atCentre.value[j]) << text;
   }
 }
 

@@ -24,7 +24,8 @@ template <class Field, class Gradient>
 float worstError(const Rig& rig, Field field, Gradient gradient) {
   const auto fitted = fitField(rig, field, gradient);
   float worst = 0;
-  for (Vec3 p : rig.anchors().empty() ? probes(kBody, 200, 7) : kBody) worst = std::max(worst, std::abs(fitted(p) - field(p)));
+  for (Vec3 p : rig.anchors().empty() ? probes(kBody, 200, 7) : kBody)
+    worst = std::max(worst, std::abs(fitted(p) - field(p)));
   return worst;
 }
 

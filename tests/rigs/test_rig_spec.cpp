@@ -62,6 +62,27 @@ TEST(RigSpec, ParsesLists) {
   const auto twice = parseRigSpecs("poly:6; poly: 6");
   ASSERT_FALSE(twice);
   EXPECT_THAT(twice.error().line(), HasSubstr("given twice"));
+  const auto same = parseRigSpecs("lattice:3x2x2;mixed:l3,l2,l2@corners");
+  ASSERT_FALSE(same);
+  EXPECT_THAT(same.error().line(), HasSubstr("the same rig as 'lattice:3x2x2'"));
+}
+
+TEST(RigSpec, ChecksSpecsThatWereNotParsed) {
+  RigSpec spec;
+  EXPECT_FALSE(checkRigSpec(spec)) << "the default is a constant rig";
+  spec.axes[0] = {AxisModel::Kind::lattice, 65};
+  EXPECT_TRUE(checkRigSpec(spec));
+  spec.axes[0] = {AxisModel::Kind::lattice, 0};
+  EXPECT_TRUE(checkRigSpec(spec));
+  spec.axes[0] = {AxisModel::Kind::gradient, 3};
+  EXPECT_TRUE(checkRigSpec(spec));
+  spec = {};
+  spec.family = RigSpec::Family::poly;
+  for (int terms : {-1, 0, kMaxPolyTerms + 1}) {
+    spec.polyTerms = terms;
+    EXPECT_TRUE(checkRigSpec(spec)) << terms;
+    EXPECT_FALSE(Rig::create(spec, {{{0, 0, 0}, {1, 1, 1}}, ellipsoid({}, {1, 1, 1}, 20)})) << terms;
+  }
 }
 
 }  // namespace

@@ -44,9 +44,11 @@ ProjectionWithGradient<B> projectWithGradient(const SpotLight& light, Vec3 p) no
 template <int B>
 ProjectionWithGradient<B> projectWithGradient(const SphereLight& light, Vec3 p) noexcept;
 
-/// Sum over all lights of the set.
+/// Sum over all lights of the set. `footprint` [m] > 0: p stands for a patch of that radius, not for a point. Each
+/// light is then taken to be at least that large, at equal power, so that a light which nearly touches p counts with
+/// about what the patch receives on average and not with the peak under it.
 template <int B>
-RadianceSH<B> project(const LightSet& lights, Vec3 p) noexcept;
+RadianceSH<B> project(const LightSet& lights, Vec3 p, float footprint = 0) noexcept;
 template <int B>
 ProjectionWithGradient<B> projectWithGradient(const LightSet& lights, Vec3 p) noexcept;
 

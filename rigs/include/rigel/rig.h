@@ -39,6 +39,7 @@ struct RigSample {
   Vec3 position;
   int derivatives = 0;
   std::array<Vec3, 3> directions{};
+  float footprint = 0;  // m; radius of the patch of surface that the position stands for (project.h), 0 for a point
 };
 
 /// The basis functions that are not zero at a point.
@@ -53,7 +54,8 @@ struct RigBasis {
 /// while setPose runs; otherwise any number of readers.
 class Rig {
  public:
-  /// A rig in its rest pose. Error when the shape cannot carry the model (no or non-finite surface points, box turned inside out).
+  /// A rig in its rest pose. Error when the spec is out of its limits (checkRigSpec) or the shape cannot carry it (no
+  /// or non-finite surface points, box turned inside out).
   static Result<Rig> create(const RigSpec& spec, const RigShape& rest);
 
   Rig(Rig&&) noexcept;
@@ -73,13 +75,17 @@ class Rig {
   /// Positions of the current pose.
   std::span<const RigSample> samples() const noexcept;
 
-  /// c = P F. `functionals` holds S rows of `width` floats (in the order of samples()), `coefficients` K such rows.
+  /// c = P F. `functionals` holds S rows of `width` floats (in the order of samples()), `coefficients` K such rows; the
+  /// two must not overlap.
   void fit(std::span<const float> functionals, int width, std::span<float> coefficients) const noexcept;
 
-  /// phi_k(p). Lattice axes clamp p to the box; gradient and poly extrapolate.
+  /// phi_k(p). Lattice axes clamp p to the box; gradient and poly extrapolate. A NaN counts as the box's centre.
   void basis(Vec3 p, RigBasis& out) const noexcept;
 
-  /// Condition number of the current least-squares problem (2-norm, estimated); 1 where nothing is solved.
+  /// Condition number of the current least-squares problem (2-norm, estimated within a factor of a few, columns of unit
+  /// length); 1 where nothing is solved. Up to about 100 the anchors determine the coefficients well; at kLostRank some
+  /// basis functions cannot be told apart on this surface and are held small instead.
+  static constexpr double kLostRank = 300;
   double condition() const noexcept;
 
   class Model;  // internal

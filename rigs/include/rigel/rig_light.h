@@ -9,7 +9,8 @@
 
 namespace rigel {
 
-/// Rigid placement of the rig frame in the world: columns x, y, z and origin. world = x*p.x + y*p.y + z*p.z + origin.
+/// Orthonormal placement of the rig frame in the world: columns x, y, z and origin. world = x*p.x + y*p.y + z*p.z +
+/// origin.
 struct RigFrame {
   Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
   Vec3 origin;
@@ -33,7 +34,7 @@ void projectSamples(const Rig& rig, const RigFrame& worldFromRig, const LightSet
   for (const RigSample& sample : rig.samples()) {
     const Vec3 p = worldFromRig.point(sample.position);
     if (sample.derivatives == 0) {
-      *out++ = project<B>(lights, p);
+      *out++ = project<B>(lights, p, sample.footprint);
       continue;
     }
     const ProjectionWithGradient<B> projected = projectWithGradient<B>(lights, p);
@@ -48,12 +49,13 @@ void projectSamples(const Rig& rig, const RigFrame& worldFromRig, const LightSet
   }
 }
 
-/// c = P F on typed vectors.
+/// c = P F on typed vectors: rig.projections() functionals, rig.shVectors() coefficients, not overlapping.
 template <int B>
 void fitRig(const Rig& rig, std::span<const RadianceSH<B>> functionals,
             std::span<RadianceSH<B>> coefficients) noexcept {
   constexpr int kWidth = 3 * shCount(B);
   static_assert(sizeof(RadianceSH<B>) == kWidth * sizeof(float));
+  assert(!functionals.empty() && !coefficients.empty());
   rig.fit({functionals.front().data(), functionals.size() * kWidth}, kWidth,
           {coefficients.front().data(), coefficients.size() * kWidth});
 }

@@ -4,6 +4,7 @@
 #include <rigel/result.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,16 +43,26 @@ struct RigSpec {
 
   /// SH vectors stored: product of lattice nodes times (1 + gradient axes), or K.
   int shVectors() const noexcept;
+
+  /// The same model, however it was written.
+  friend bool operator==(const RigSpec& a, const RigSpec& b) noexcept {
+    return a.family == b.family && a.axes == b.axes && a.pinnedAxes == b.pinnedAxes && a.kernel == b.kernel &&
+           a.fit == b.fit && a.polyTerms == b.polyTerms;
+  }
 };
 
+inline constexpr int kMaxAxisNodes = 64;
 inline constexpr int kMaxShVectors = 512;  // per rig
 inline constexpr int kMaxPolyTerms = 56;   // all monomials up to degree 5
 inline constexpr int kMaxLsqVectors = 64;  // least squares solves a dense K x K system each frame
 
+/// What is out of the limits above in a spec that was not parsed, or nothing.
+std::optional<Error> checkRigSpec(const RigSpec& spec);
+
 /// One spec. The Error names the spec, the part at fault and what is allowed there.
 Result<RigSpec> parseRigSpec(std::string_view text);
 
-/// Specs separated by ';'. Empty list and duplicates are errors.
+/// Specs separated by ';'. Empty list and duplicates (equal models) are errors.
 Result<std::vector<RigSpec>> parseRigSpecs(std::string_view text);
 
 }  // namespace rigel
