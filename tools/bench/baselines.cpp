@@ -21,4 +21,18 @@ void projectSphereTextbook(const SphereLight& light, Vec3 p, RadianceSH<3>& sum)
     for (int i = l * l; i < (l + 1) * (l + 1); ++i) sum[i] += light.radiance * (zonal[l] * y[i]);
 }
 
+void projectSphereTextbookGradient(const SphereLight& light, Vec3 p, float step, RadianceSH<3>& value,
+                                   RadianceShGradient<3>& gradient) {
+  projectSphereTextbook(light, p, value);
+  for (int axis = 0; axis < 3; ++axis) {
+    Vec3 offset;
+    offset[axis] = step;
+    RadianceSH<3> ahead, behind;
+    projectSphereTextbook(light, p + offset, ahead);
+    projectSphereTextbook(light, p - offset, behind);
+    gradient.d[axis] += ahead * (0.5f / step);
+    gradient.d[axis] += behind * (-0.5f / step);
+  }
+}
+
 }  // namespace rigel::tools

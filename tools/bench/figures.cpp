@@ -7,7 +7,9 @@
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+#include <functional>
 #include <map>
+#include <memory>
 #include <random>
 #include <regex>
 
@@ -78,8 +80,21 @@ void addProjectionCases(std::vector<Case>& cases) {
                            benchmark::DoNotOptimize(sum);
                          }
                      }});
-    cases.push_back({"project.sphere_gradient" + suffix, "ns/light/point", items, 1, "project.textbook" + suffix,
-                     [lights](benchmark::State& state) {
+    cases.push_back(
+        {"project.textbook_gradient" + suffix, "ns/light/point", items, 1, "", [lights](benchmark::State& state) {
+           constexpr float kStep = 1e-3f;
+           for (auto _ : state)
+             for (Vec3 p : samplePoints()) {
+               Sh value;
+               RadianceShGradient<3> gradient;
+               for (int i = 0; i < lights->sphereCount(); ++i)
+                 projectSphereTextbookGradient(lights->sphere(i), p, kStep, value, gradient);
+               benchmark::DoNotOptimize(value);
+               benchmark::DoNotOptimize(gradient);
+             }
+         }});
+    cases.push_back({"project.sphere_gradient" + suffix, "ns/light/point", items, 1,
+                     "project.textbook_gradient" + suffix, [lights](benchmark::State& state) {
                        for (auto _ : state)
                          for (Vec3 p : samplePoints()) {
                            auto sum = projectWithGradient<3>(*lights, p);
@@ -89,35 +104,43 @@ void addProjectionCases(std::vector<Case>& cases) {
   }
 }
 
-/// A whole character: refresh, project and fit under 64 lights; and shading it at a point.
+/// A rig of the body under 64 lights.
+struct FittedRig {
+  std::vector<Vec3> surface = bodySurface();
+  RigBox box{{-0.3f, -0.9f, -0.2f}, {0.3f, 0.9f, 0.2f}};
+  LightSet lights = sphereLights(64);
+  Rig rig;
+  std::vector<Vec3> anchors;
+  std::vector<Sh> functionals, coefficients;
+
+  explicit FittedRig(const std::string& spec) : rig(*Rig::create(*parseRigSpec(spec), {box, surface})) {
+    for (int i : rig.anchors()) anchors.push_back(surface[i]);
+    functionals.resize(rig.projections());
+    coefficients.resize(rig.shVectors());
+    fit();
+  }
+  void fit() {
+    rig.setPose({box, anchors});
+    projectSamples<3>(rig, {}, lights, functionals);
+    fitRig<3>(rig, functionals, coefficients);
+  }
+};
+
+/// A whole character: refresh, project and fit; and shading it at a point.
 void addRigCases(std::vector<Case>& cases) {
-  const auto lights = std::make_shared<LightSet>(sphereLights(64));
   for (const std::string text :
        {"constant", "gradient", "mixed:l3,g,c", "lattice:3x2x2", "lattice:8x4x2", "poly:6", "poly:12"}) {
-    struct Fitted {
-      std::vector<Vec3> surface = bodySurface();
-      RigBox box{{-0.3f, -0.9f, -0.2f}, {0.3f, 0.9f, 0.2f}};
-      Rig rig;
-      std::vector<Vec3> anchors;
-      std::vector<Sh> functionals, coefficients;
-      explicit Fitted(const std::string& spec) : rig(*Rig::create(*parseRigSpec(spec), {box, surface})) {
-        for (int i : rig.anchors()) anchors.push_back(surface[i]);
-        functionals.resize(rig.projections());
-        coefficients.resize(rig.shVectors());
-      }
-    };
-    const auto fitted = std::make_shared<Fitted>(text);
-    cases.push_back({"fit." + text, "us/character", 1, 1e3, text == std::string("constant") ? "" : "fit.constant",
-                     [fitted, lights](benchmark::State& state) {
-                       for (auto _ : state) {
-                         fitted->rig.setPose({fitted->box, fitted->anchors});
-                         projectSamples<3>(fitted->rig, {}, *lights, fitted->functionals);
-                         fitRig<3>(fitted->rig, fitted->functionals, fitted->coefficients);
-                         benchmark::DoNotOptimize(fitted->coefficients.data());
-                       }
-                     }});
-    cases.push_back({"shade." + text, "ns/point", 600, 1, text == std::string("constant") ? "" : "shade.constant",
-                     [fitted](benchmark::State& state) {
+    const bool isBaseline = text == "constant";
+    const auto fitted = std::make_shared<FittedRig>(text);
+    cases.push_back(
+        {"fit." + text, "us/character", 1, 1e3, isBaseline ? "" : "fit.constant", [fitted](benchmark::State& state) {
+           for (auto _ : state) {
+             fitted->fit();
+             benchmark::DoNotOptimize(fitted->coefficients.data());
+           }
+         }});
+    cases.push_back({"shade." + text, "ns/point", static_cast<double>(fitted->surface.size()), 1,
+                     isBaseline ? "" : "shade.constant", [fitted](benchmark::State& state) {
                        const auto f = wrapCoefficients<3>(0);
                        for (auto _ : state)
                          for (Vec3 p : fitted->surface) {
