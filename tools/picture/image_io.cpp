@@ -102,15 +102,19 @@ Result<std::vector<std::uint8_t>> encodePng(const Image8& image) {
   return bytes;
 }
 
-Result<std::size_t> writePng(const Image8& image, const std::filesystem::path& file) {
-  const Result<std::vector<std::uint8_t>> bytes = encodePng(image);
-  if (!bytes) return Error{bytes.error().message, file.string()};
+Result<std::size_t> writeEncodedPng(std::span<const std::uint8_t> png, const std::filesystem::path& file) {
   return replaceFile(file, [&](const std::filesystem::path& aside) {
     std::ofstream out(aside, std::ios::binary);
-    out.write(reinterpret_cast<const char*>(bytes->data()), static_cast<std::streamsize>(bytes->size()));
+    out.write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
     out.close();
     if (!out) throw std::filesystem::filesystem_error("write", std::make_error_code(std::errc::io_error));
   });
+}
+
+Result<std::size_t> writePng(const Image8& image, const std::filesystem::path& file) {
+  const Result<std::vector<std::uint8_t>> bytes = encodePng(image);
+  if (!bytes) return Error{bytes.error().message, file.string()};
+  return writeEncodedPng(*bytes, file);
 }
 
 }  // namespace rigel::tools

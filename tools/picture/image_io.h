@@ -5,7 +5,10 @@
 
 #include <rigel/result.h>
 
+#include <cstdint>
 #include <filesystem>
+#include <span>
+#include <vector>
 
 namespace rigel::tools {
 
@@ -19,6 +22,8 @@ Result<Image> readExr(const std::filesystem::path& file);
 
 /// 8-bit RGB, marked as sRGB.
 Result<std::vector<std::uint8_t>> encodePng(const Image8& image);
+/// Writes what encodePng gave: for who needs both the bytes and the file.
+Result<std::size_t> writeEncodedPng(std::span<const std::uint8_t> png, const std::filesystem::path& file);
 Result<std::size_t> writePng(const Image8& image, const std::filesystem::path& file);
 
 }  // namespace rigel::tools

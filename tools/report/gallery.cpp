@@ -4,9 +4,8 @@
 #include "picture/image_io.h"
 #include "picture/shade_exact.h"
 #include "picture/tone_map.h"
+#include "report/picture_names.h"
 #include "report/staged_images.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,17 +18,18 @@ constexpr int kHeight = 420;
 // Point lights are drawn as balls of at least this share of the object's radius, so that one sees where light comes
 // from.
 constexpr float kLightMarker = 0.02f;
-constexpr float kLightBrightness = 4;
+constexpr float kLightBrightness = 1.2f;  // bright, with its colour still seen
 // Below this top of the scale a heat map would magnify what no one can see.
 constexpr float kLeastHeatScale = 0.05f;
 
-std::string safeFileName(std::string name) {
-  for (char& c : name) {
-    const bool plain =
-        (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '-';
-    if (!plain) c = '_';
+/// The object's place among those of the scene that get pictures.
+std::size_t numberOf(const SceneObject& wanted, std::span<const SceneObject> objects) {
+  std::size_t number = 0;
+  for (const SceneObject& object : objects) {
+    if (&object == &wanted) break;
+    if (!object.isStatic) ++number;
   }
-  return name;
+  return number;
 }
 
 /// The picture of one frame, cast once and shaded many times.
@@ -137,7 +137,7 @@ class PictureWriter {
     if (auto written = writeExr(linear, directory_ / (stem + ".exr")); !written) return written.error();
     auto encoded = encodePng(display);
     if (!encoded) return encoded.error();
-    if (auto written = writePng(display, directory_ / (stem + ".png")); !written) return written.error();
+    if (auto written = writeEncodedPng(*encoded, directory_ / (stem + ".png")); !written) return written.error();
     exr = folder + stem + ".exr";
     png = folder + stem + ".png";
     bytes = *std::move(encoded);
@@ -159,7 +159,8 @@ Result<std::vector<Picture>> photograph(const Scene& scene, std::span<const Scen
 
   const Photographer photographer(scene, objects, pose, lights, run, options.wrap);
   const PictureWriter writer(files.directory);
-  const std::string stem = safeFileName(files.prefix + run.object().name + fmt::format("-frame{:04d}-", frame.number));
+  const std::string stem =
+      pictureNameStem(files.prefix, numberOf(run.object(), objects), run.object().name, frame.number);
 
   std::vector<Picture> pictures(1);
   Picture& truth = pictures.front();
@@ -186,16 +187,18 @@ Result<std::vector<Picture>> photograph(const Scene& scene, std::span<const Scen
   std::ranges::sort(scales);
   const float top = std::max(kLeastHeatScale, scales[scales.size() / 2]);
 
+  std::vector<std::string> specs;
+  for (const auto& rig : run.rigs()) specs.push_back(rig->rig().spec().text);
+  const std::vector<std::string> rigNames = rigNameParts(specs);
   for (std::size_t r = 0; r < shaded.size(); ++r) {
-    const std::string& spec = run.rigs()[r]->rig().spec().text;
     Picture picture;
-    picture.label = spec;
+    picture.label = specs[r];
     picture.time = frame.time;
     picture.frame = frame.number;
     picture.rms = photographer.rms(shaded[r].error);
     picture.heatMapMax = static_cast<double>(top);
     const Image image = photographer.radiance(shaded[r].irradiance);
-    const std::string name = stem + safeFileName(spec);
+    const std::string name = stem + rigNames[r];
     if (auto error = writer.write(name, image, photographer.display(image), picture.imageExr, picture.imagePng,
                                   picture.imageBytes))
       return *error;

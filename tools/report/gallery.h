@@ -8,7 +8,7 @@
 
 namespace rigel::tools {
 
-/// Where pictures go and what their names begin with (made into a safe file name).
+/// Where pictures go and what their names begin with (pictureNamePrefix).
 struct GalleryFiles {
   std::filesystem::path directory;
   std::string prefix;
@@ -19,9 +19,9 @@ struct FrameLabel {
   double time = 0;  // s
 };
 
-/// Ray-casts `run`'s object in the posed scene (static objects of `objects` around it), shades it with the truth and
-/// with every rig, and writes NAME-frameN-RIG.png/.exr and their heat maps. Truth first. Heat maps show |rig - truth|
-/// over the mean exact irradiance of the covered pixels.
+/// Ray-casts `run`'s object in the posed scene (all other `objects` around it), shades it with the truth and with
+/// every rig, and writes PREFIX..-NAME-frameN-RIG.png/.exr and their heat maps (picture_names.h). Truth first. Heat
+/// maps show |rig - truth| over the mean exact irradiance of the covered pixels.
 Result<std::vector<Picture>> photograph(const Scene& scene, std::span<const SceneObject> objects, const ScenePose& pose,
                                         const LightSet& lights, const ObjectRun& run, FrameLabel frame,
                                         const RunOptions& options, const GalleryFiles& files);

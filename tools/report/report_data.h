@@ -1,5 +1,5 @@
-// Everything a report says, as plain data: filled by report/measure, written by report/json, report/html and the
-// summary on the terminal. Field names follow report.json.
+// Everything a report says, as plain data: filled by scene_run, object_run and gallery, written by report_json,
+// report_html and report_text. Field names follow report.json.
 #pragma once
 
 #include <cstddef>

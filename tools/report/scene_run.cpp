@@ -4,6 +4,7 @@
 #include "report/effects.h"
 #include "report/gallery.h"
 #include "report/object_run.h"
+#include "report/picture_names.h"
 #include "report/timeline.h"
 #include "scene/gltf_load.h"
 #include "scene/transplant.h"
@@ -19,7 +20,7 @@ namespace {
 class Stage {
  public:
   Stage(const Scene& scene, const Timeline& timeline, std::optional<LightTransplant> donor)
-      : scene_(scene), timeline_(timeline), donor_(std::move(donor)) {}
+      : scene_(scene), timeline_(timeline), donor_(donor) {}
 
   void pose(int frame) {
     poseScene(scene_, timeline_.clip, timeline_.clipTime(frame), pose_);
@@ -43,7 +44,7 @@ class Stage {
 /// One scene, loaded once; `run` measures one clip of it.
 class SceneRun {
  public:
-  static Result<SceneRun> load(const std::string& source, const RunOptions& options, const Scene* donor) {
+  static Result<SceneRun> load(const std::string& source, const RunOptions& options, const LightDonor* donor) {
     SceneRun run(options);
     auto scene = loadScene(source);
     if (!scene) return scene.error();
@@ -56,8 +57,7 @@ class SceneRun {
     if (std::ranges::all_of(run.objects_, &SceneObject::isStatic))
       return Error{"every object is static scenery: nothing moves, so nothing needs a rig", source};
     run.donor_ = donor;
-    const double lightDuration = donor && !donor->animations.empty() ? donor->animations[0].duration : 0;
-    auto timelines = makeTimelines(*run.scene_, options, lightDuration);
+    auto timelines = makeTimelines(*run.scene_, options, donor ? donor->duration() : 0);
     if (!timelines) return timelines.error();
     run.timelines_ = *std::move(timelines);
     return run;
@@ -65,19 +65,19 @@ class SceneRun {
 
   const std::vector<Timeline>& timelines() const { return timelines_; }
 
-  Result<SceneReport> run(const Timeline& timeline, const std::filesystem::path& imageDirectory, bool longNames,
-                          const Progress& progress) const {
+  Result<SceneReport> run(const Timeline& timeline, const std::filesystem::path& imageDirectory,
+                          const std::string& pictureNames, const Progress& progress) const {
     const auto start = std::chrono::steady_clock::now();
     auto runs = createObjectRuns(timeline);
     if (!runs) return runs.error();
 
     std::optional<LightTransplant> transplant;
     if (donor_ != nullptr) {
-      auto created = LightTransplant::create(*donor_, *scene_);
+      auto created = LightTransplant::create(*donor_, *scene_, timeline.clip);
       if (!created) return created.error();
-      transplant = *std::move(created);
+      transplant = *created;
     }
-    Stage stage(*scene_, timeline, std::move(transplant));
+    Stage stage(*scene_, timeline, transplant);
     PosedObject posed;
     for (std::size_t f = 0; f < timeline.frames.size(); ++f) {
       const int frame = timeline.frames[f];
@@ -106,8 +106,8 @@ class SceneRun {
     report.effects = effectsOf(stage.lights().set, wraps);
 
     if (options_.images) {
-      const std::string prefix = longNames ? source_ + " " + timeline.clipName + " " : "";
-      if (auto error = takePictures(timeline, stage, *runs, {imageDirectory, prefix}, report, progress)) return *error;
+      if (auto error = takePictures(timeline, stage, *runs, {imageDirectory, pictureNames}, report, progress))
+        return *error;
     }
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return report;
@@ -141,7 +141,6 @@ class SceneRun {
   std::optional<Error> takePictures(const Timeline& timeline, Stage& stage, std::vector<ObjectRun>& runs,
                                     const GalleryFiles& files, SceneReport& report, const Progress& progress) const {
     constexpr std::size_t kFewObjects = 3;
-    std::vector<PosedObject> scenery;
     for (std::size_t i = 0; i < runs.size(); ++i) {
       std::vector<std::size_t> frames{runs[i].worstFrame()};
       if (runs.size() <= kFewObjects) frames.push_back(timeline.frames.size() / 2);
@@ -165,7 +164,7 @@ class SceneRun {
   std::string source_;
   std::unique_ptr<Scene> scene_;
   std::vector<SceneObject> objects_;
-  const Scene* donor_ = nullptr;  // of --lights
+  const LightDonor* donor_ = nullptr;  // of --lights
   std::vector<Timeline> timelines_;
 };
 
@@ -173,12 +172,14 @@ class SceneRun {
 
 Result<Report> runReport(const RunOptions& options, const std::filesystem::path& imageDirectory,
                          const Progress& progress) {
-  std::optional<Scene> donor;
+  std::optional<LightDonor> donor;
   if (!options.lights.empty()) {
     auto scene = loadScene(options.lights);
     if (!scene) return scene.error();
-    donor = *std::move(scene);
-    scaleLights(*donor, options.exposure);
+    scaleLights(*scene, options.exposure);
+    auto created = LightDonor::create(*std::move(scene));
+    if (!created) return created.error();
+    donor = *std::move(created);
   }
 
   // Everything is loaded and checked before the first minute is spent on measuring.
@@ -195,12 +196,15 @@ Result<Report> runReport(const RunOptions& options, const std::filesystem::path&
   report.bands = options.bands;
   report.exposure = static_cast<double>(options.exposure);
   std::size_t done = 0;
-  for (const SceneRun& scene : scenes) {
-    for (const Timeline& timeline : scene.timelines()) {
+  for (std::size_t s = 0; s < scenes.size(); ++s) {
+    const std::vector<Timeline>& timelines = scenes[s].timelines();
+    for (std::size_t t = 0; t < timelines.size(); ++t) {
+      const std::string pictureNames =
+          pictureNamePrefix({options.scenes[s], s, scenes.size(), timelines[t].clipName, t, timelines.size()});
       const auto part = [&](double share, const std::string& what) {
         progress((static_cast<double>(done) + share) / static_cast<double>(total), what);
       };
-      auto measured = scene.run(timeline, imageDirectory, total > 1, part);
+      auto measured = scenes[s].run(timelines[t], imageDirectory, pictureNames, part);
       if (!measured) return measured.error();
       report.scenes.push_back(*std::move(measured));
       ++done;
