@@ -123,6 +123,7 @@ TEST(Surface, MeanPositionIsTheCentroid) {
   ASSERT_TRUE(points);
   for (const SurfacePoint& point : *points) {
     const PointAndNormal at = evaluateSurface(p.object, p.posed, point);
+    EXPECT_EQ(surfacePosition(p.object, p.posed, point), at.position);
     mean += glm::dvec3(at.position.x, at.position.y, at.position.z) / 4096.;
   }
   // Random points would be off by about 1/64 of the extent of 1; worst measured 2e-4.

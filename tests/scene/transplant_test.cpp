@@ -32,7 +32,7 @@ void addLight(Scene& scene, LightShape shape, const glm::vec3& position) {
   scene.nodes.push_back(node);
 }
 
-Scene donor() {
+Scene donorScene() {
   Scene scene = square(1, {10, 0, 0});
   addLight(scene, SphereLight{{}, 0.5f, {3, 3, 3}}, {10, 2, 0});
   addLight(scene, PointLight{{}, {1, 2, 4}, 0.25f, 8}, {9, 0, 0});
@@ -44,10 +44,12 @@ Scene donor() {
 }
 
 TEST(Transplant, ScalesAboutTheObjects) {
-  const auto transplant = LightTransplant::create(donor(), square(3, {0, 100, 0}));
+  const auto donor = LightDonor::create(donorScene());
+  ASSERT_TRUE(donor) << donor.error().line();
+  EXPECT_EQ(donor->duration(), 2);
+  const auto transplant = LightTransplant::create(*donor, square(3, {0, 100, 0}), kRestPose);
   ASSERT_TRUE(transplant) << transplant.error().line();
   EXPECT_NEAR(transplant->ratio(), 3, 1e-6);
-  EXPECT_EQ(transplant->duration(), 2);
   PosedLights lights;
   transplant->lightsAt(0, lights);
   ASSERT_EQ(lights.names, (std::vector<std::string>{"light 3", "light 1", "light 2", "light 0"}));
@@ -70,7 +72,9 @@ TEST(Transplant, ScalesAboutTheObjects) {
 }
 
 TEST(Transplant, LightsMoveAsSeenFromTheDonorsObject) {
-  const auto transplant = LightTransplant::create(donor(), square(3, {0, 100, 0}));
+  const auto donor = LightDonor::create(donorScene());
+  ASSERT_TRUE(donor);
+  const auto transplant = LightTransplant::create(*donor, square(3, {0, 100, 0}), kRestPose);
   ASSERT_TRUE(transplant);
   PosedLights lights;
   for (const auto& [time, x] : {std::pair(0.0, 0.f), {1.0, -6.f}, {2.0, -12.f}, {5.0, -12.f}}) {
@@ -79,21 +83,54 @@ TEST(Transplant, LightsMoveAsSeenFromTheDonorsObject) {
   }
 }
 
-TEST(Transplant, RefusesWhatCannotLend) {
-  const auto none = LightTransplant::create(square(1, {}), square(1, {}));
-  ASSERT_FALSE(none);
-  EXPECT_EQ(none.error().line(), "square: has no lights to lend");
-  const auto point = LightTransplant::create(donor(), square(0, {}));
+TEST(Transplant, MeasuresTheTargetAsTheClipGivenBegins) {
+  const auto donor = LightDonor::create(donorScene());
+  ASSERT_TRUE(donor);
+  Scene target = square(3, {0, 100, 0});
+  const auto at = [](float x, float scale) {
+    Animation clip{"clip", {}, 1};
+    clip.channels.push_back({0, AnimationPath::translation, Interpolation::linear, 3, {0, 1}, {x, 0, 0, 0, 0, 0}});
+    clip.channels.push_back({0, AnimationPath::scale, Interpolation::step, 3, {0}, {scale, scale, scale}});
+    return clip;
+  };
+  target.animations = {at(0, 1), at(50, 2)};
+  PosedLights lights;
+  struct Case {
+    int clip;
+    float x, y, ratio;
+  };
+  for (const Case& c : {Case{kRestPose, 0, 100, 3}, {0, 0, 0, 3}, {1, 50, 0, 6}}) {
+    const auto transplant = LightTransplant::create(*donor, target, c.clip);
+    ASSERT_TRUE(transplant);
+    EXPECT_NEAR(transplant->ratio(), c.ratio, 1e-5) << c.clip;
+    transplant->lightsAt(0, lights);
+    EXPECT_NEAR(lights.set.sphere(0).position.x, c.x, 1e-4) << c.clip;
+    EXPECT_NEAR(lights.set.sphere(0).position.y, c.y + 2 * c.ratio, 1e-4) << c.clip;
+  }
+}
+
+TEST(Transplant, RefusesWhatCannotLendOrTake) {
+  const auto dark = LightDonor::create(square(1, {}));
+  ASSERT_FALSE(dark);
+  EXPECT_EQ(dark.error().line(), "square: has no lights to lend");
+  Scene collapsed = donorScene();
+  collapsed.nodes[0].scale = glm::vec3(0);
+  const auto point = LightDonor::create(collapsed);
   ASSERT_FALSE(point);
   EXPECT_EQ(point.error().line(), "square: its objects have no extent to scale lights by");
+  const auto donor = LightDonor::create(donorScene());
+  ASSERT_TRUE(donor);
+  const auto onPoint = LightTransplant::create(*donor, square(0, {}), kRestPose);
+  ASSERT_FALSE(onPoint);
+  EXPECT_EQ(onPoint.error().line(), "square: its objects have no extent to scale lights by");
 }
 
 TEST(Transplant, AllSceneryCountsAsTheObject) {
-  Scene scenery = donor();
+  Scene scenery = donorScene();
   scenery.nodes[0].isStatic = true;
   std::swap(scenery.nodes[1].mesh, scenery.nodes[2].mesh);  // leaves one mesh node at the origin of node 2
   scenery.nodes[1].mesh = -1;
-  EXPECT_TRUE(LightTransplant::create(scenery, square(1, {})));
+  EXPECT_TRUE(LightDonor::create(scenery));
 }
 
 }  // namespace

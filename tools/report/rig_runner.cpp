@@ -32,7 +32,7 @@ class RunnerOf final : public RigRunner {
     const RigBox box = rigBox(frame_, posed);  // an engine has its bounds already: not part of the rig's time
     auto clock = Clock::now();
     for (std::size_t i = 0; i < anchors_.size(); ++i)
-      anchors_[i] = frame_.inversePoint(evaluateSurface(object, posed, anchorPoints_[i]).position);
+      anchors_[i] = frame_.inversePoint(surfacePosition(object, posed, anchorPoints_[i]));
     rig_.setPose({box, anchors_});
     times.refresh = lap(clock);
     projectSamples<B>(rig_, frame_, lights, functionals_);
@@ -76,7 +76,7 @@ Result<std::unique_ptr<RigRunner>> makeRigRunner(const RigSpec& spec, int bands,
   const RigFrame frame = rigidFrame(rest.worldFromRig);
   std::vector<Vec3> points;
   for (const SurfacePoint& candidate : surface.candidates)
-    points.push_back(frame.inversePoint(evaluateSurface(object, rest, candidate).position));
+    points.push_back(frame.inversePoint(surfacePosition(object, rest, candidate)));
   auto rig = Rig::create(spec, {rigBox(frame, rest), points});
   if (!rig) return Error{rig.error().line(), "object '" + object.name + "'"};
   return withBands(bands, [&]<int B>() -> std::unique_ptr<RigRunner> {

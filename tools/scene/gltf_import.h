@@ -29,6 +29,10 @@ void importNodes(GltfImport& import);  // hierarchy, the scene's roots, referenc
 void importSkins(GltfImport& import);
 void importAnimations(GltfImport& import);
 
+/// Removes what no triangle refers to from every array of every primitive; the others keep their order. After the
+/// checks above, whose messages number vertices as the file does.
+void dropStrayVertices(Scene& scene);
+
 /// A name made printable (files may hold line breaks in them), or `otherwise`.
 std::string readName(const JsonPlace& thing, std::string otherwise = "");
 

@@ -57,6 +57,7 @@ Result<Scene> loadGltf(const std::filesystem::path& file) {
     importSkins(import);
     importAnimations(import);
     refuseStrayJoints(import);
+    dropStrayVertices(import.scene);
     refuseEmptyOrAbsurd(import);
     import.scene.name = file.filename().string();
     return std::move(import.scene);

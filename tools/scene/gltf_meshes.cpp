@@ -82,6 +82,10 @@ class MeshReader {
     }
     out.material = place.index("material", materials_, "material");
     readTriangles(place, mode, vertices, out.triangles);
+    if (out.triangles.empty()) {
+      import_.note("{}: ignored: has no triangle", place.path());
+      return std::nullopt;
+    }
     readInfluences(attributes, vertices, out.influences);
     for (const JsonPlace& target : place.items("targets")) {
       MorphTarget morph;

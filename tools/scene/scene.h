@@ -30,8 +30,8 @@ struct MorphTarget {
   std::vector<glm::vec3> normals;
 };
 
-/// A triangle list. `normals` is empty where the file has none: triangles are then flat shaded, as glTF asks.
-/// `influences` is empty for unskinned primitives.
+/// A triangle list; every vertex belongs to a triangle. `normals` is empty where the file has none: triangles are then
+/// flat shaded, as glTF asks. `influences` is empty for unskinned primitives.
 struct Primitive {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;

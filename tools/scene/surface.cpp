@@ -72,11 +72,15 @@ Result<std::vector<SurfacePoint>> sampleSurface(const SceneObject& object, const
   return points;
 }
 
+Vec3 surfacePosition(const SceneObject& object, const PosedObject& posed, SurfacePoint point) {
+  const glm::uvec3& t = object.triangles[point.triangle];
+  return fromGlm((1 - point.b1 - point.b2) * posed.positions[t.x] + point.b1 * posed.positions[t.y] +
+                 point.b2 * posed.positions[t.z]);
+}
+
 PointAndNormal evaluateSurface(const SceneObject& object, const PosedObject& posed, SurfacePoint point) {
   const glm::uvec3& t = object.triangles[point.triangle];
   const float b0 = 1 - point.b1 - point.b2;
-  const glm::vec3 &p0 = posed.positions[t.x], &p1 = posed.positions[t.y], &p2 = posed.positions[t.z];
-  const glm::vec3 position = b0 * p0 + point.b1 * p1 + point.b2 * p2;
   const glm::vec3 &n0 = posed.normals[t.x], &n1 = posed.normals[t.y], &n2 = posed.normals[t.z];
   glm::vec3 normal = b0 * n0 + point.b1 * n1 + point.b2 * n2;
   // Of unit normals at most 1e-3 remains only where they all but cancel and rounding decides the direction.
@@ -84,7 +88,8 @@ PointAndNormal evaluateSurface(const SceneObject& object, const PosedObject& pos
     normal = glm::normalize(normal);
   } else {
     // In double, where the product of two edges of any length neither overflows nor vanishes.
-    const glm::dvec3 own = glm::cross(glm::dvec3(p1) - glm::dvec3(p0), glm::dvec3(p2) - glm::dvec3(p0));
+    const glm::dvec3 p0 = posed.positions[t.x], p1 = posed.positions[t.y], p2 = posed.positions[t.z];
+    const glm::dvec3 own = glm::cross(p1 - p0, p2 - p0);
     const double size = glm::length(own);
     normal = size > 0 && std::isfinite(size) ? glm::vec3(own / size) : glm::vec3(0);
     // A triangle that the pose collapsed has no normal of its own: any vertex normal, or up, keeps the point lit.
@@ -92,7 +97,7 @@ PointAndNormal evaluateSurface(const SceneObject& object, const PosedObject& pos
       if (normal == glm::vec3(0)) normal = n;
     }
   }
-  return {fromGlm(position), fromGlm(normal)};
+  return {surfacePosition(object, posed, point), fromGlm(normal)};
 }
 
 }  // namespace rigel::tools

@@ -21,6 +21,9 @@ struct PointAndNormal {
 Result<std::vector<SurfacePoint>> sampleSurface(const SceneObject& object, const PosedObject& rest, int count,
                                                 std::uint32_t seed);
 
+/// World position alone, for points that need no normal.
+Vec3 surfacePosition(const SceneObject& object, const PosedObject& posed, SurfacePoint point);
+
 PointAndNormal evaluateSurface(const SceneObject& object, const PosedObject& posed, SurfacePoint point);
 
 }  // namespace rigel::tools

@@ -26,12 +26,10 @@ std::vector<SceneObject> litObjects(const Scene& scene) {
 
 Sphere boundingSphere(const Scene& scene, const std::vector<SceneObject>& objects, const ScenePose& pose) {
   PosedObject posed;
-  std::vector<glm::vec3> points;  // corners of triangles only: files may hold stray vertices
+  std::vector<glm::vec3> points;
   for (const SceneObject& object : objects) {
     poseObject(scene, object, pose, posed);
-    for (const glm::uvec3& t : object.triangles) {
-      for (const glm::uint v : {t.x, t.y, t.z}) points.push_back(posed.positions[v]);
-    }
+    points.insert(points.end(), posed.positions.begin(), posed.positions.end());
   }
   if (points.empty()) return {};
   glm::vec3 low = points.front(), high = points.front();
@@ -48,36 +46,42 @@ int firstClip(const Scene& scene) { return scene.animations.empty() ? kRestPose 
 
 }  // namespace
 
-double LightTransplant::duration() const noexcept {
-  return donor_.animations.empty() ? 0 : donor_.animations.front().duration;
+Result<LightDonor> LightDonor::create(Scene scene) {
+  LightDonor out;
+  out.scene_ = std::move(scene);
+  out.objects_ = litObjects(out.scene_);
+  ScenePose pose;
+  poseScene(out.scene_, firstClip(out.scene_), 0, pose);
+  PosedLights lights;
+  poseLights(out.scene_, pose, lights);
+  if (lights.set.size() == 0) return Error{"has no lights to lend", out.scene_.name};
+  out.radius_ = boundingSphere(out.scene_, out.objects_, pose).radius;
+  if (!(out.radius_ > 0)) return Error{"its objects have no extent to scale lights by", out.scene_.name};
+  return out;
 }
 
-Result<LightTransplant> LightTransplant::create(Scene donor, const Scene& target) {
-  LightTransplant out;
-  out.donor_ = std::move(donor);
-  out.objects_ = litObjects(out.donor_);
-  ScenePose pose;
-  poseScene(out.donor_, firstClip(out.donor_), 0, pose);
-  PosedLights lights;
-  poseLights(out.donor_, pose, lights);
-  if (lights.set.size() == 0) return Error{"has no lights to lend", out.donor_.name};
-  const float donorRadius = boundingSphere(out.donor_, out.objects_, pose).radius;
-  if (!(donorRadius > 0)) return Error{"its objects have no extent to scale lights by", out.donor_.name};
+double LightDonor::duration() const noexcept {
+  return scene_.animations.empty() ? 0 : scene_.animations.front().duration;
+}
 
-  poseScene(target, firstClip(target), 0, pose);
+Result<LightTransplant> LightTransplant::create(const LightDonor& donor, const Scene& target, int clip) {
+  ScenePose pose;
+  poseScene(target, clip, 0, pose);
   const Sphere bound = boundingSphere(target, litObjects(target), pose);
   if (!(bound.radius > 0)) return Error{"its objects have no extent to scale lights by", target.name};
+  LightTransplant out(donor);
   out.targetCentre_ = bound.centre;
-  out.ratio_ = bound.radius / donorRadius;
+  out.ratio_ = bound.radius / donor.radius_;
   return out;
 }
 
 void LightTransplant::lightsAt(double time, PosedLights& out) const {
+  const Scene& scene = donor_->scene_;
   ScenePose pose;
-  poseScene(donor_, firstClip(donor_), time, pose);
+  poseScene(scene, firstClip(scene), time, pose);
   PosedLights lights;
-  poseLights(donor_, pose, lights);
-  const glm::vec3 donorCentre = boundingSphere(donor_, objects_, pose).centre;
+  poseLights(scene, pose, lights);
+  const glm::vec3 donorCentre = boundingSphere(scene, donor_->objects_, pose).centre;
   const auto moved = [&](Vec3 p) { return fromGlm(targetCentre_ + (toGlm(p) - donorCentre) * ratio_); };
 
   const LightSet& from = lights.set;

@@ -5,6 +5,24 @@
 
 namespace rigel::tools {
 
+/// A scene whose lights others may borrow: made once, shared by any number of transplants.
+class LightDonor {
+ public:
+  /// Error when the scene has no lights or its objects have no extent.
+  static Result<LightDonor> create(Scene scene);
+
+  /// Duration [s] of the scene's clip 0, which moves the lights; 0 for a still one.
+  double duration() const noexcept;
+
+ private:
+  friend class LightTransplant;
+  LightDonor() = default;
+
+  Scene scene_;
+  std::vector<SceneObject> objects_;
+  float radius_ = 0;
+};
+
 /// Maps the donor's lights so that the target's objects see them as the donor's own objects do:
 ///     p' = targetCentre + (p - donorCentre(t)) * ratio,
 /// ratio = target radius / donor radius. Radii and ranges grow by ratio, intensities by ratio^2 (irradiance on the
@@ -13,21 +31,19 @@ namespace rigel::tools {
 /// Both radii and the target's centre are taken at the first frame, the donor's centre at every time.
 class LightTransplant {
  public:
-  /// Error when the donor has no lights, or either scene's objects have no extent.
-  static Result<LightTransplant> create(Scene donor, const Scene& target);
+  /// For `target` as its animation `clip` (or kRestPose) begins. `donor` must outlive the transplant. Error when the
+  /// target's objects have no extent.
+  static Result<LightTransplant> create(const LightDonor& donor, const Scene& target, int clip);
 
-  /// Duration [s] of the donor's clip 0, which moves the lights; 0 for a still donor.
-  double duration() const noexcept;
   float ratio() const noexcept { return ratio_; }
 
-  /// The lights at `time` [s] of that clip, clamped to its ends. Poses the donor's objects: allocates.
+  /// The lights at `time` [s] of the donor's clip, clamped to its ends. Poses the donor's objects: allocates.
   void lightsAt(double time, PosedLights& out) const;
 
  private:
-  LightTransplant() = default;
+  explicit LightTransplant(const LightDonor& donor) : donor_(&donor) {}
 
-  Scene donor_;
-  std::vector<SceneObject> objects_;
+  const LightDonor* donor_;
   glm::vec3 targetCentre_{0};
   float ratio_ = 1;
 };
