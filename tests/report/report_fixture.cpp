@@ -84,7 +84,9 @@ ObjectReport object(const std::string& name, int frames, double scale) {
   result.meanIrradiance = 3.71;
   for (int i = 0; i < frames; ++i) {
     const double time = i / 30.0;
-    result.truth.push_back({time, 2 + 3 * wave(time, 0), i == 0 ? 0 : 0.12 * wave(2 * time, 1)});
+    result.truth.push_back({time, 2 + 3 * wave(time, 0), {}});
+    const bool startsOver = i == 40;  // a clip, in the middle of the run
+    if (i > 0 && !startsOver) result.truth.back().movement = 0.12 * wave(2 * time, 1);
   }
   for (const MadeUpRig& made : kRigs) {
     RigReport rig;
@@ -96,7 +98,7 @@ ObjectReport object(const std::string& name, int frames, double scale) {
     rig.fitMicroseconds = made.fit;
     rig.shadeNanosecondsPerPoint = made.shade;
     rig.bytes = static_cast<std::size_t>(made.shVectors) * 112;
-    rig.maxJump = frames > 1 ? 0.4 * made.spatial : 0;
+    if (frames > 1) rig.maxJump = 0.4 * made.spatial;
     rig.condition = made.spec[0] == 'p' ? 14.2 : 1;
     rig.stages = {{"project", 0.8 * made.fit}, {"fit", 0.2 * made.fit}};
     for (int i = 0; i < frames; ++i) {
@@ -174,6 +176,9 @@ Report hostileReport() {
   for (Picture& shown : scene.objects.front().pictures)
     if (shown.label == "constant") shown.label = kHostileSpec;
   report.commandLine = kHostileMarkup;
+  // No two of its frames follow on each other.
+  for (tools::TruthFrame& frame : scene.objects.front().truth) frame.movement.reset();
+  for (RigReport& rig : scene.objects.front().rigs) rig.maxJump.reset();
   return report;
 }
 

@@ -90,6 +90,19 @@ TEST(ReportJson, LeavesOutWhatWasNotWritten) {
   EXPECT_EQ(json["objects"][0]["pictures"][1]["heat_map_max"], 0.5);
 }
 
+TEST(ReportJson, WhatWasNotMeasuredIsNull) {
+  const Json json = parsedReport(madeUpReport());
+  const Json& moving = json["objects"][0];
+  EXPECT_TRUE(moving["truth"][0]["movement"].is_null());   // nothing precedes it
+  EXPECT_TRUE(moving["truth"][40]["movement"].is_null());  // a clip starts over
+  EXPECT_GT(moving["truth"][41]["movement"].get<double>(), 0);
+  EXPECT_GT(moving["rigs"][0]["max_jump"].get<double>(), 0);
+  const Json& still = json["objects"][1];
+  ASSERT_EQ(still["truth"].size(), 1u);
+  EXPECT_TRUE(still["truth"][0]["movement"].is_null());
+  EXPECT_TRUE(still["rigs"][0]["max_jump"].is_null());
+}
+
 TEST(ReportJson, RefusesEveryNumberThatIsNotFinite) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();

@@ -46,6 +46,21 @@ TEST(ReportText, ColumnsLineUp) {
   EXPECT_EQ(text[6].substr(end - 2, 2), "64") << text[6];
 }
 
+TEST(ReportText, AJumpThatWasNotMeasuredIsADash) {
+  const tools::Report report = madeUpReport();
+  ASSERT_FALSE(report.scenes[1].objects[0].rigs[0].maxJump);
+  const auto jumpOf = [](const std::string& table) {
+    const std::vector<std::string> text = lines(table);
+    EXPECT_GT(text.size(), 2u);
+    const std::size_t end = text[1].find("max jump %") + std::string("max jump %").size();
+    return text[2].substr(end - 6, 6);
+  };
+  tools::Report one = report;
+  one.scenes.erase(one.scenes.begin());
+  EXPECT_EQ(jumpOf(tools::reportText(one)), "     -");
+  EXPECT_EQ(jumpOf(tools::reportText(report)), " 14.40");
+}
+
 TEST(ReportText, MarksTheRigOfTheVerdict) {
   const std::string text = tools::reportText(madeUpReport());
   EXPECT_THAT(text, HasSubstr("  > poly:12 "));

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <numbers>
 
 namespace rigel::tools {
@@ -15,15 +16,23 @@ double degrees(float radians) { return static_cast<double>(radians) * 180 / std:
 
 }  // namespace
 
-void scaleLights(Scene& scene, float factor) {
-  struct Scale {
-    float factor;
-    void operator()(DirectionalLight& l) const { l.irradiance = l.irradiance * factor; }
-    void operator()(PointLight& l) const { l.intensity = l.intensity * factor; }
-    void operator()(SpotLight& l) const { l.intensity = l.intensity * factor; }
-    void operator()(SphereLight& l) const { l.radiance = l.radiance * factor; }
+std::optional<Error> scaleLights(Scene& scene, float factor) {
+  struct Brightness {
+    Rgb& operator()(DirectionalLight& l) const { return l.irradiance; }
+    Rgb& operator()(PointLight& l) const { return l.intensity; }
+    Rgb& operator()(SpotLight& l) const { return l.intensity; }
+    Rgb& operator()(SphereLight& l) const { return l.radiance; }
   };
-  for (SceneLight& light : scene.lights) std::visit(Scale{factor}, light.shape);
+  for (SceneLight& light : scene.lights) {
+    Rgb& brightness = std::visit(Brightness{}, light.shape);
+    brightness = brightness * factor;
+    for (int c = 0; c < 3; ++c) {
+      if (!std::isfinite(brightness[c]))
+        return Error{fmt::format("--exposure {:g} makes it brighter than a float holds", factor),
+                     "light '" + light.name + "'"};
+    }
+  }
+  return std::nullopt;
 }
 
 std::vector<LightRow> describeLights(const PosedLights& lights) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 namespace rigel::tools {
@@ -14,9 +15,11 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-double medianOf(const std::vector<StageTimes>& times, double StageTimes::*stage) {
+/// `of` is a member of FitTimes, or a function of it.
+template <class Of>
+double medianOf(const std::vector<FitTimes>& times, Of of) {
   std::vector<double> values;
-  for (const StageTimes& t : times) values.push_back(t.*stage);
+  for (const FitTimes& t : times) values.push_back(std::invoke(of, t));
   return median(std::move(values));
 }
 
@@ -42,30 +45,35 @@ Result<ObjectRun> ObjectRun::create(const SceneObject& object, const PosedObject
   return run;
 }
 
-void ObjectRun::measure(double time, const PosedObject& posed, const LightSet& lights) {
+void ObjectRun::measure(double time, bool followsOn, const PosedObject& posed, const LightSet& lights) {
   truth_.update(*object_, posed, surface_, lights, bands_);
-  FrameTruth frame{time, truth_.mean, 0};
-  for (std::size_t i = 0; i < previousExact_.size(); ++i)
-    for (int c = 0; c < 3; ++c) frame.movementSquares += square(truth_.exact[i][c] - previousExact_[i][c]);
+  followsOn = followsOn && !frames_.empty();
+  FrameTruth frame{time, truth_.mean, {}};
+  if (followsOn) {
+    double squares = 0;
+    for (std::size_t i = 0; i < previousExact_.size(); ++i)
+      for (int c = 0; c < 3; ++c) squares += square(truth_.exact[i][c] - previousExact_[i][c]);
+    frame.movementSquares = squares;
+  }
   previousExact_ = truth_.exact;
   frames_.push_back(frame);
 
   for (std::size_t r = 0; r < runners_.size(); ++r) {
     for (int i = 0; i < timings_; ++i) {
-      runners_[r]->fit(*object_, posed, lights);
-      runners_[r]->shade(truth_.points, surface_.wrap, shaded_);
-      tallies_[r].times.push_back(runners_[r]->times);
+      tallies_[r].fitTimes.push_back(runners_[r]->fit(*object_, posed, lights));
+      tallies_[r].shadeTimes.push_back(runners_[r]->shade(truth_.points, surface_.wrap, shaded_));
     }
-    compare(tallies_[r], shaded_);
+    compare(tallies_[r], shaded_, followsOn);
     tallies_[r].condition = std::max(tallies_[r].condition, runners_[r]->rig().condition());
   }
 }
 
-void ObjectRun::compare(Tally& tally, std::span<const Rgb> shaded) const {
+void ObjectRun::compare(Tally& tally, std::span<const Rgb> shaded, bool followsOn) const {
   std::swap(tally.error, tally.previousError);
   tally.error.resize(shaded.size());
   double spatial = 0;
   double total = 0;
+  double jump = 0;
   for (std::size_t i = 0; i < shaded.size(); ++i) {
     for (int c = 0; c < 3; ++c) {
       const double spatialError = static_cast<double>(shaded[i][c]) - static_cast<double>(truth_.sh[i][c]);
@@ -75,11 +83,11 @@ void ObjectRun::compare(Tally& tally, std::span<const Rgb> shaded) const {
       tally.spatialMax = std::max(tally.spatialMax, std::abs(spatialError));
       tally.totalMax = std::max(tally.totalMax, std::abs(totalError));
       tally.error[i][c] = static_cast<float>(totalError);
-      if (!tally.spatialSquares.empty())
-        tally.maxJump =
-            std::max(tally.maxJump, static_cast<double>(std::abs(tally.error[i][c] - tally.previousError[i][c])));
+      if (followsOn)
+        jump = std::max(jump, static_cast<double>(std::abs(tally.error[i][c] - tally.previousError[i][c])));
     }
   }
+  if (followsOn) tally.maxJump = std::max(tally.maxJump.value_or(0), jump);
   tally.spatialSquares.push_back(spatial);
   tally.totalSquares.push_back(total);
 }
@@ -121,17 +129,15 @@ RigReport ObjectRun::rigReport(std::size_t r, double mean) const {
   out.spatial = {pooled(tally.spatialSquares), scale * tally.spatialMax};
   out.total = {pooled(tally.totalSquares), scale * tally.totalMax};
   out.bytes = runners_[r]->bytes();
-  out.maxJump = scale * tally.maxJump;
+  if (tally.maxJump) out.maxJump = scale * *tally.maxJump;
   out.condition = tally.condition;
-  out.stages = {{"refresh", medianOf(tally.times, &StageTimes::refresh)},
-                {"project", medianOf(tally.times, &StageTimes::project)},
-                {"fit", medianOf(tally.times, &StageTimes::fit)},
-                {"shade", medianOf(tally.times, &StageTimes::shade)}};
-  std::vector<double> fit;
-  for (const StageTimes& t : tally.times) fit.push_back(t.refresh + t.project + t.fit);
-  out.fitMicroseconds = median(std::move(fit));
-  out.shadeNanosecondsPerPoint =
-      1000 * medianOf(tally.times, &StageTimes::shade) / static_cast<double>(surface_.measured.size());
+  const double shade = median(tally.shadeTimes);
+  out.stages = {{"refresh", medianOf(tally.fitTimes, &FitTimes::refresh)},
+                {"project", medianOf(tally.fitTimes, &FitTimes::project)},
+                {"fit", medianOf(tally.fitTimes, &FitTimes::fit)},
+                {"shade", shade}};
+  out.fitMicroseconds = medianOf(tally.fitTimes, &FitTimes::sum);
+  out.shadeNanosecondsPerPoint = 1000 * shade / static_cast<double>(surface_.measured.size());
   for (std::size_t f = 0; f < frames_.size(); ++f)
     out.frames.push_back({frames_[f].time, scale * std::sqrt(tally.spatialSquares[f] / channels),
                           scale * std::sqrt(tally.totalSquares[f] / channels)});
@@ -145,10 +151,11 @@ ObjectReport ObjectRun::report() const {
   out.samples = static_cast<int>(surface_.measured.size());
   out.meanIrradiance = meanIrradiance();
   const double scale = out.meanIrradiance > 0 ? 1 / out.meanIrradiance : 0;
-  for (const FrameTruth& frame : frames_)
-    out.truth.push_back(
-        {frame.time, frame.mean,
-         scale * std::sqrt(frame.movementSquares / (3 * static_cast<double>(surface_.measured.size())))});
+  const double channels = 3 * static_cast<double>(surface_.measured.size());
+  for (const FrameTruth& frame : frames_) {
+    TruthFrame& truth = out.truth.emplace_back(TruthFrame{frame.time, frame.mean, {}});
+    if (frame.movementSquares) truth.movement = scale * std::sqrt(*frame.movementSquares / channels);
+  }
   for (std::size_t r = 0; r < runners_.size(); ++r) out.rigs.push_back(rigReport(r, out.meanIrradiance));
   return out;
 }

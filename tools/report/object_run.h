@@ -14,8 +14,9 @@ class ObjectRun {
   static Result<ObjectRun> create(const SceneObject& object, const PosedObject& rest, const RunOptions& options,
                                   int timings);
 
-  /// Fits, evaluates and compares every rig in one frame. Frames come in the order of time.
-  void measure(double time, const PosedObject& posed, const LightSet& lights);
+  /// Fits, evaluates and compares every rig in one frame. Frames come in the order of time; `followsOn` says that this
+  /// one comes right after the last (Timeline::followsOn), so that what changed is movement.
+  void measure(double time, bool followsOn, const PosedObject& posed, const LightSet& lights);
 
   /// The figures so far. Errors are relative to the mean exact irradiance of the run; where that is 0 (no light reaches
   /// the object) they are 0.
@@ -25,6 +26,7 @@ class ObjectRun {
   std::size_t worstFrame() const;
 
   const SceneObject& object() const { return *object_; }
+  /// In the order of the options. May be fitted anew, to any frame: report() reads nothing that this changes.
   std::span<const std::unique_ptr<RigRunner>> rigs() const { return runners_; }
   double meanIrradiance() const;
 
@@ -32,16 +34,19 @@ class ObjectRun {
   /// Sums of squared differences [W/m2]^2 of one rig, per frame, and their extremes.
   struct Tally {
     std::vector<double> spatialSquares, totalSquares;
-    std::vector<StageTimes> times;
-    double spatialMax = 0, totalMax = 0, maxJump = 0, condition = 1;
+    std::vector<FitTimes> fitTimes;
+    std::vector<double> shadeTimes;
+    double spatialMax = 0, totalMax = 0, condition = 1;
+    std::optional<double> maxJump;
     std::vector<Rgb> error, previousError;  // clamped rig - exact at each point
   };
   struct FrameTruth {
-    double time = 0, mean = 0, movementSquares = 0;
+    double time = 0, mean = 0;
+    std::optional<double> movementSquares;
   };
 
   explicit ObjectRun(const SceneObject& object) : object_(&object) {}
-  void compare(Tally& tally, std::span<const Rgb> shaded) const;
+  void compare(Tally& tally, std::span<const Rgb> shaded, bool followsOn) const;
   RigReport rigReport(std::size_t rig, double mean) const;
 
   const SceneObject* object_;

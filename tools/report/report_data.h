@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,17 +36,20 @@ struct RigReport {
   double fitMicroseconds = 0;  // median over frames: refresh + project + fit
   double shadeNanosecondsPerPoint = 0;
   std::size_t bytes = 0;
-  double maxJump = 0;    // DESIGN section 2
+  /// Popping: the largest change of the error, at any sample and channel, between frames that follow on each other
+  /// (numbered one apart, no clip starting over). Empty where no two of the frames do.
+  std::optional<double> maxJump;
   double condition = 1;  // worst condition number of the fit over the frames; 1 where nothing is solved
   std::vector<StageTime> stages;
   std::vector<RigFrame> frames;
 };
 
 /// Per frame, what the truth itself does: its mean and how far it moved since the frame before (RMS over samples).
+/// No movement where the frame does not follow on the one looked at before (see RigReport::maxJump).
 struct TruthFrame {
   double time = 0;
   double meanIrradiance = 0;
-  double movement = 0;  // relative to the run's mean
+  std::optional<double> movement;  // relative to the run's mean
 };
 
 /// One picture of the gallery: PNG files relative to the report directory, plus the bytes for embedding.

@@ -43,6 +43,10 @@ class Writer {
     return value;
   }
 
+  Json numberOrNull(std::optional<double> value, std::string_view field) {
+    return value ? number(*value, field) : Json(nullptr);
+  }
+
   Json scene(const SceneReport& report) {
     place_ = report.scene;
     Json lights = Json::array();
@@ -76,7 +80,7 @@ class Writer {
     for (const TruthFrame& frame : report.truth)
       truth.push_back({{"time", number(frame.time, "truth time")},
                        {"mean_irradiance", number(frame.meanIrradiance, "truth mean_irradiance")},
-                       {"movement", number(frame.movement, "truth movement")}});
+                       {"movement", numberOrNull(frame.movement, "truth movement")}});
     result["truth"] = std::move(truth);
     result["rigs"] = Json::array();
     for (const RigReport& rigReport : report.rigs) result["rigs"].push_back(rig(rigReport, report, sceneReport));
@@ -98,7 +102,7 @@ class Writer {
                    {"fit_us", number(report.fitMicroseconds, "fit_us")},
                    {"shade_ns_per_point", number(report.shadeNanosecondsPerPoint, "shade_ns_per_point")},
                    {"bytes", report.bytes},
-                   {"max_jump", number(report.maxJump, "max_jump")},
+                   {"max_jump", numberOrNull(report.maxJump, "max_jump")},
                    {"condition", number(report.condition, "condition")}};
     Json stages = Json::object();
     for (const StageTime& stage : report.stages) stages[stage.name] = number(stage.microseconds, stage.name);

@@ -60,7 +60,7 @@ Row figures(const RigReport& rig, bool chosen) {
           percent(rig.spatial.max),
           percent(rig.total.rms),
           percent(rig.total.max),
-          percent(rig.maxJump),
+          rig.maxJump ? percent(*rig.maxJump) : "-",
           fmt::format("{:.1f}", rig.fitMicroseconds),
           fmt::format("{:.1f}", rig.shadeNanosecondsPerPoint),
           fmt::format("{}", rig.bytes)};

@@ -27,9 +27,10 @@ class RunnerOf final : public RigRunner {
     coefficients_.resize(rig_.shVectors());
   }
 
-  void fit(const SceneObject& object, const PosedObject& posed, const LightSet& lights) override {
+  FitTimes fit(const SceneObject& object, const PosedObject& posed, const LightSet& lights) override {
     frame_ = rigidFrame(posed.worldFromRig);
     const RigBox box = rigBox(frame_, posed);  // an engine has its bounds already: not part of the rig's time
+    FitTimes times;
     auto clock = Clock::now();
     for (std::size_t i = 0; i < anchors_.size(); ++i)
       anchors_[i] = frame_.inversePoint(surfacePosition(object, posed, anchorPoints_[i]));
@@ -39,9 +40,10 @@ class RunnerOf final : public RigRunner {
     times.project = lap(clock);
     fitRig<B>(rig_, functionals_, coefficients_);
     times.fit = lap(clock);
+    return times;
   }
 
-  void shade(std::span<const PointAndNormal> points, std::span<const float> wrap, std::span<Rgb> out) override {
+  double shade(std::span<const PointAndNormal> points, std::span<const float> wrap, std::span<Rgb> out) override {
     auto clock = Clock::now();
     std::array<float, B> f = wrapCoefficients<B>(0);
     float fWrap = 0;
@@ -50,7 +52,7 @@ class RunnerOf final : public RigRunner {
       const Vec3 p = frame_.inversePoint(points[i].position);
       out[i] = irradiance<B>(evaluateRig<B>(rig_, coefficients_, p), f, points[i].normal);
     }
-    times.shade = lap(clock);
+    return lap(clock);
   }
 
   const Rig& rig() const override { return rig_; }

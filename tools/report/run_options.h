@@ -12,6 +12,9 @@ namespace rigel::tools {
 
 inline constexpr double kFramesPerSecond = 30;
 
+/// --exposure at most: from the dimmest photometric file to a sun in lux it takes less.
+inline constexpr float kMaxExposure = 1e6f;
+
 /// A:B:STEP in frames of the clip, B inclusive; `last` empty: to the end.
 struct FrameRange {
   int first = 0;
@@ -34,6 +37,10 @@ struct RunOptions {
   bool images = true;
   int samples = 4096;
 };
+
+/// The first value that no run can serve, named by its option: not finite, or outside its range. For who fills
+/// RunOptions (a program's user gets it as bad use); runReport asks again.
+std::optional<Error> checkOptions(const RunOptions& options);
 
 /// Called often during long work with the share done in [0, 1] and what is being done.
 using Progress = std::function<void(double share, const std::string& what)>;

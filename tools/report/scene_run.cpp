@@ -9,6 +9,8 @@
 #include "scene/gltf_load.h"
 #include "scene/transplant.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <memory>
@@ -50,8 +52,9 @@ class SceneRun {
     if (!scene) return scene.error();
     run.source_ = source;
     run.scene_ = std::make_unique<Scene>(*std::move(scene));
-    scaleLights(*run.scene_, options.exposure);
-    if (donor == nullptr && std::ranges::all_of(run.scene_->nodes, [](const Node& node) { return node.light < 0; }))
+    if (auto error = scaleLights(*run.scene_, options.exposure)) return Error{error->line(), source};
+    const int ownLights = run.countLights();
+    if (donor == nullptr && ownLights == 0)
       return Error{"the scene has no lights (borrow some: --lights sample:street)", source};
     run.objects_ = findObjects(*run.scene_);
     if (std::ranges::all_of(run.objects_, &SceneObject::isStatic))
@@ -59,7 +62,12 @@ class SceneRun {
     run.donor_ = donor;
     auto timelines = makeTimelines(*run.scene_, options, donor ? donor->duration() : 0);
     if (!timelines) return timelines.error();
-    run.timelines_ = *std::move(timelines);
+    run.timelines_ = std::move(timelines->all);
+    run.notes_ = run.scene_->notes;
+    if (donor != nullptr && ownLights > 0)
+      run.notes_.push_back(fmt::format("its own {} light{} left out: --lights {}", ownLights,
+                                       ownLights == 1 ? " is" : "s are", options.lights));
+    std::ranges::move(timelines->notes, std::back_inserter(run.notes_));
     return run;
   }
 
@@ -85,7 +93,7 @@ class SceneRun {
       stage.pose(frame);
       for (ObjectRun& run : *runs) {
         poseObject(*scene_, run.object(), stage.nodes(), posed);
-        run.measure(timeline.time(frame), posed, stage.lights().set);
+        run.measure(timeline.time(frame), timeline.followsOn(f), posed, stage.lights().set);
       }
     }
 
@@ -94,7 +102,7 @@ class SceneRun {
     report.clip = timeline.clipName;
     report.lightsFrom = donor_ ? options_.lights : "";
     report.frames = static_cast<int>(timeline.frames.size());
-    report.notes = scene_->notes;
+    report.notes = notes_;
     report.lights = describeLights(stage.lights());
     std::vector<float> wraps;
     for (const ObjectRun& run : *runs) {
@@ -115,6 +123,14 @@ class SceneRun {
 
  private:
   explicit SceneRun(const RunOptions& options) : options_(options) {}
+
+  int countLights() const {
+    ScenePose rest;
+    poseScene(*scene_, kRestPose, 0, rest);
+    PosedLights lights;
+    poseLights(*scene_, rest, lights);
+    return static_cast<int>(lights.names.size());
+  }
 
   std::string title(const Timeline& timeline) const {
     return source_ + (timeline.clipName.empty() ? "" : " (" + timeline.clipName + ")");
@@ -166,17 +182,19 @@ class SceneRun {
   std::vector<SceneObject> objects_;
   const LightDonor* donor_ = nullptr;  // of --lights
   std::vector<Timeline> timelines_;
+  std::vector<std::string> notes_;  // of the file, and of what the options leave out
 };
 
 }  // namespace
 
 Result<Report> runReport(const RunOptions& options, const std::filesystem::path& imageDirectory,
                          const Progress& progress) {
+  if (auto error = checkOptions(options)) return *error;
   std::optional<LightDonor> donor;
   if (!options.lights.empty()) {
     auto scene = loadScene(options.lights);
     if (!scene) return scene.error();
-    scaleLights(*scene, options.exposure);
+    if (auto error = scaleLights(*scene, options.exposure)) return Error{error->line(), options.lights};
     auto created = LightDonor::create(*std::move(scene));
     if (!created) return created.error();
     donor = *std::move(created);

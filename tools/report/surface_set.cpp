@@ -2,6 +2,7 @@
 
 #include <rigel/glm.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace rigel::tools {
@@ -11,24 +12,31 @@ namespace {
 constexpr std::uint32_t kMeasuredSeed = 1;
 constexpr std::uint32_t kCandidateSeed = 2;
 
-/// `v` made perpendicular to `others` and unit, or an axis made so where nothing of v is left.
-glm::dvec3 orthonormal(glm::dvec3 v, std::initializer_list<glm::dvec3> others) {
-  const double size = glm::length(v);
-  for (int attempt = 0;; ++attempt) {
-    for (const glm::dvec3& other : others) v -= other * glm::dot(v, other);
-    const double left = glm::length(v);
-    if (left > 1e-9 * (attempt == 0 ? size : 1.0)) return v / left;
-    v = glm::dvec3(attempt == 0, attempt == 1, attempt == 2);
-  }
+/// The first of `wanted` that has a direction left when made perpendicular to `other` (unit, or zero for none), as a
+/// unit vector; else an axis so made.
+glm::dvec3 firstDirection(std::initializer_list<glm::dvec3> wanted, const glm::dvec3& other) {
+  constexpr double kLeast = 1e-9;  // of a vector's length: what remains of less is rounding
+  const glm::dvec3 axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  glm::dvec3 direction{0};
+  const auto leaves = [&](const glm::dvec3& v) {
+    const glm::dvec3 left = v - other * glm::dot(v, other);
+    const double size = glm::length(left);
+    if (!(size > kLeast * glm::length(v))) return false;  // NaN too
+    direction = left / size;
+    return true;
+  };
+  if (std::ranges::none_of(wanted, leaves)) std::ranges::any_of(axes, leaves);
+  return direction;
 }
 
 }  // namespace
 
 RigFrame rigidFrame(const glm::mat4& worldFromNode) {
   const glm::dmat4 m(worldFromNode);
-  const glm::dvec3 x = orthonormal(glm::dvec3(m[0]), {});
-  const glm::dvec3 y = orthonormal(glm::dvec3(m[1]), {x});
-  const glm::dvec3 z = orthonormal(glm::dvec3(m[2]), {x, y});
+  // A node flattened along one axis still turns: its other two columns say how.
+  const glm::dvec3 x = firstDirection({glm::dvec3(m[0]), glm::cross(glm::dvec3(m[1]), glm::dvec3(m[2]))}, {0, 0, 0});
+  const glm::dvec3 y = firstDirection({glm::dvec3(m[1]), glm::cross(glm::dvec3(m[2]), x)}, x);
+  const glm::dvec3 z = glm::cross(x, y);
   return {fromGlm(glm::vec3(x)), fromGlm(glm::vec3(y)), fromGlm(glm::vec3(z)), fromGlm(glm::vec3(m[3]))};
 }
 

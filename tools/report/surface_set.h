@@ -10,8 +10,9 @@
 
 namespace rigel::tools {
 
-/// The node's frame without its scale: metres, so that derivatives and extents mean what they say. Columns that a
-/// degenerate transform leaves undefined are completed to an orthonormal basis.
+/// The node's frame without scale, shear and mirroring: metres, so that derivatives and extents mean what they say. x
+/// is the node's x, y lies in the plane of its x and y, z completes a right-handed orthonormal basis; where the
+/// transform leaves a column undefined, another axis takes its place.
 RigFrame rigidFrame(const glm::mat4& worldFromNode);
 
 /// Box of all posed vertices in the rig frame.

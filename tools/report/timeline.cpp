@@ -2,8 +2,11 @@
 
 #include "scene/pose.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace rigel::tools {
 namespace {
@@ -32,19 +35,40 @@ Result<std::vector<int>> clipsOf(const Scene& scene, const std::string& wanted) 
   return clips;
 }
 
-}  // namespace
-
-double Timeline::looped(double time, double duration) {
-  if (duration <= 0) return 0;
-  // The last frame of a clip is its end, not its start again.
-  if (time <= duration + kFrameSlack / kFramesPerSecond) return std::min(time, duration);
-  return std::fmod(time, duration);
+/// Numbers of the frames of `range` up to `end`, or empty where there are more than kMaxFrames of them.
+std::vector<int> framesOf(const FrameRange& range, double end) {
+  const double last = range.last ? std::min<double>(end, *range.last) : end;
+  const double count = std::floor((last - range.first) / range.step) + 1;
+  std::vector<int> frames;
+  if (count > kMaxFrames || last > std::numeric_limits<int>::max()) return frames;
+  // Counted, not stepped: the frame after the last may not be an int.
+  for (int i = 0; i < static_cast<int>(count); ++i) frames.push_back(range.first + i * range.step);
+  return frames;
 }
 
-Result<std::vector<Timeline>> makeTimelines(const Scene& scene, const RunOptions& options, double lightDuration) {
+}  // namespace
+
+Timeline::Looped Timeline::looped(double time, double duration) {
+  if (duration <= 0) return {0, 0};
+  // Every lap ends with the clip's end: its start, where loops are seamless, is the same moment.
+  constexpr double kSlack = kFrameSlack / kFramesPerSecond;
+  const double lap = std::max(0.0, std::ceil((time - kSlack) / duration) - 1);
+  return {std::clamp(time - lap * duration, 0.0, duration), lap};
+}
+
+bool Timeline::followsOn(std::size_t index) const {
+  if (index == 0 || frames[index] - frames[index - 1] != 1) return false;
+  const auto sameLap = [&](double duration) {
+    return looped(time(frames[index - 1]), duration).lap == looped(time(frames[index]), duration).lap;
+  };
+  return sameLap(clipDuration) && sameLap(lightDuration);
+}
+
+Result<Timelines> makeTimelines(const Scene& scene, const RunOptions& options, double lightDuration) {
   const auto clips = clipsOf(scene, options.clip);
   if (!clips) return clips.error();
-  std::vector<Timeline> timelines;
+  Timelines timelines;
+  std::optional<Error> tooShort;
   for (int clip : *clips) {
     Timeline timeline;
     timeline.clip = clip;
@@ -53,16 +77,25 @@ Result<std::vector<Timeline>> makeTimelines(const Scene& scene, const RunOptions
       timeline.clipName = scene.animations[clip].name;
       timeline.clipDuration = scene.animations[clip].duration;
     }
+    const std::string label = timeline.clipName.empty() ? "" : "clip '" + timeline.clipName + "'";
+    const std::string place = scene.name + (label.empty() ? "" : ": " + label);
     const double duration = std::max(timeline.clipDuration, lightDuration);
-    const int end = static_cast<int>(std::floor(duration * kFramesPerSecond + kFrameSlack));
-    const int last = std::min(end, options.frames.last.value_or(end));
-    for (int f = options.frames.first; f <= last; f += options.frames.step) timeline.frames.push_back(f);
+    const double end = std::floor(duration * kFramesPerSecond + kFrameSlack);
+    if (options.frames.first > end) {
+      const std::string why = fmt::format("frame {} is past the end (the last is {:.0f})", options.frames.first, end);
+      if (!tooShort) tooShort = Error{why, place};
+      timelines.notes.push_back(label + " is left out: " + why);
+      continue;
+    }
+    timeline.frames = framesOf(options.frames, end);
     if (timeline.frames.empty())
-      return Error{"frame " + std::to_string(options.frames.first) + " is past the end (the last is " +
-                       std::to_string(end) + ")",
-                   scene.name + (timeline.clipName.empty() ? "" : ": clip '" + timeline.clipName + "'")};
-    timelines.push_back(std::move(timeline));
+      return Error{fmt::format("lasts {:.4g} s, which at 30 frames a second is more than the {} frames of a report "
+                               "(choose some: --frames 0:1000)",
+                               duration, kMaxFrames),
+                   place};
+    timelines.all.push_back(std::move(timeline));
   }
+  if (timelines.all.empty()) return *tooShort;
   return timelines;
 }
 

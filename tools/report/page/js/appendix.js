@@ -25,7 +25,7 @@ function meaning() {
     ['Spatial error', 'The rig against spherical harmonics projected afresh at every surface sample, with as many bands. It is what the rig adds by interpolating over the object, and nothing else.'],
     ['Total error', 'What is seen: the irradiance the shader computes, negative values clamped, against exact irradiance with the true shape of every light and its horizon. It includes what the SH bands cannot hold, so it does not fall to zero however many SH vectors a rig has.'],
     ['RMS and max', 'RMS pools all samples, channels and frames; max is the largest single one. Light blocked by other surfaces counts in neither.'],
-    ['Max jump', 'The largest change, at any sample, of the error from one frame to the next. Movement of the true light does not count, so a high value is light that pops.'],
+    ['Max jump', 'The largest change, at any sample, of the error from one frame to the next. Movement of the true light does not count, so a high value is light that pops. Only frames that follow on each other are compared: none are skipped between them, and no clip starts over.'],
     ['SH vectors, projections', 'What is stored, and what is computed of every light each frame. A value with its gradient counts as four projections.'],
     ['Fit, shade', 'Fit: the median time to refresh, project and fit the rig for one frame. Shade: the time to evaluate it at one surface point. Both on the processor of this run: compare them with each other, not with other machines.'],
     ['Pareto-optimal', 'No other rig measured here has both less error and less cost.'],

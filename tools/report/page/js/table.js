@@ -8,7 +8,7 @@ const columns = [
   {key: 'spatialMax', title: 'max', unit: '%', get: (rig) => rig.spatial.max, format: (value) => figure(100 * value)},
   {key: 'total', title: 'Total RMS', unit: '%', get: (rig) => rig.total.rms, format: (value) => figure(100 * value), bar: true, hint: 'Error against exact irradiance'},
   {key: 'totalMax', title: 'max', unit: '%', get: (rig) => rig.total.max, format: (value) => figure(100 * value)},
-  {key: 'jump', title: 'Max jump', unit: '%', get: (rig) => rig.max_jump, format: (value) => figure(100 * value), motion: true, hint: 'Largest change of the error from one frame to the next'},
+  {key: 'jump', title: 'Max jump', unit: '%', get: (rig) => rig.max_jump, format: (value) => value === null ? '–' : figure(100 * value), motion: true, hint: 'Largest change of the error from one frame to the next'},
   {key: 'fit', title: 'Fit', unit: 'µs', get: (rig) => rig.fit_us, format: figure, explain: stageTimes, hint: 'Median over frames: refresh, project, fit'},
   {key: 'shade', title: 'Shade', unit: 'ns/point', get: (rig) => rig.shade_ns_per_point, format: figure},
   {key: 'bytes', title: 'Size', unit: 'bytes', get: (rig) => rig.bytes, format: count, hint: 'The float32 coefficients'},

@@ -84,10 +84,21 @@ function timeLayout(object, width, {error, scale}, rigs) {
     ...boxes, width, rigs, kind: error, x,
     timeAt: (pixel) => x.low + (x.high - x.low) * (pixel - span.left) / (span.right - span.left),
     yError: vertical(scale, scale === 'log' ? logDomain(values) : linearDomain(values.concat(0)), boxes.error),
-    yMovement: vertical('linear', linearDomain(object.truth.map((frame) => frame.movement)), boxes.movement),
+    yMovement: vertical('linear', linearDomain(object.truth.map((frame) => frame.movement ?? 0)), boxes.movement),
     yIrradiance: vertical('linear', linearDomain(object.truth.map((frame) => frame.mean_irradiance)), boxes.irradiance),
     height: boxes.irradiance.bottom + 40,
   };
+}
+
+/** Frames in a row that have a movement: the first frame has none, nor has one that does not follow on the last. */
+function movementRuns(truth) {
+  const runs = [];
+  truth.forEach((frame, i) => {
+    if (frame.movement === null) return;
+    if (!i || truth[i - 1].movement === null) runs.push([]);
+    runs[runs.length - 1].push(frame);
+  });
+  return runs;
 }
 
 function drawTime(object, layout, frames, chosen) {
@@ -95,10 +106,11 @@ function drawTime(object, layout, frames, chosen) {
   const root = svgElement('svg', {width: layout.width, height: layout.height, 'aria-hidden': 'true'});
   const title = (text, box) => svgElement('text', {class: 'axis-title', x: 0, y: box.top - 9}, text);
   const plotted = (rows, y, get) => rows.map((row) => [x(row.time), y(get(row))]);
+  const moves = object.truth.some((frame) => frame.movement !== null);
   root.append(
     title(`${kind} RMS, % of mean irradiance`, layout.error), ...leftAxis(yError, layout.error, (tick) => tickLabel(100 * tick), 6),
-    title('movement of the truth, RMS change per frame, %', layout.movement),
-    ...leftAxis(yMovement, layout.movement, (tick) => tickLabel(100 * tick), 3),
+    title(moves ? 'movement of the truth, RMS change per frame, %' : 'movement of the truth: no two frames follow on each other', layout.movement),
+    ...(moves ? leftAxis(yMovement, layout.movement, (tick) => tickLabel(100 * tick), 3) : []),
     title('mean irradiance of the truth, W/m²', layout.irradiance), ...leftAxis(yIrradiance, layout.irradiance, tickLabel, 3),
     ...bottomAxis(x, layout.irradiance, tickLabel, Math.max(3, layout.width / 90), false),
     svgElement('text', {class: 'tick', x: layout.error.right, y: layout.height - 4, 'text-anchor': 'end'}, 'time, s'));
@@ -107,11 +119,14 @@ function drawTime(object, layout, frames, chosen) {
     const y = layout.error.bottom;
     root.append(svgElement('path', {class: 'pictured', d: `M${at} ${y + 1}l5 8h-10z`}));
   }
-  const movement = plotted(object.truth.slice(1), yMovement, (frame) => frame.movement);  // nothing precedes the first
   const base = layout.movement.bottom;
+  for (const run of movementRuns(object.truth)) {
+    const movement = plotted(run, yMovement, (frame) => frame.movement);
+    root.append(
+      svgElement('polygon', {class: 'truth-area', points: polyline([[movement[0][0], base], ...movement, [movement[movement.length - 1][0], base]])}),
+      svgElement('polyline', {class: 'truth-line', points: polyline(movement)}));
+  }
   root.append(
-    svgElement('polygon', {class: 'truth-area', points: polyline([[movement[0][0], base], ...movement, [movement[movement.length - 1][0], base]])}),
-    svgElement('polyline', {class: 'truth-line', points: polyline(movement)}),
     svgElement('polyline', {class: 'truth-line', points: polyline(plotted(object.truth, yIrradiance, (frame) => frame.mean_irradiance))}));
   for (const rig of layout.rigs) {
     const line = svgElement('polyline', {class: rig.spec === chosen ? 'line chosen' : 'line', 'stroke-dasharray': dashOf(rig.spec),
@@ -128,5 +143,5 @@ function readoutLines(object, index, layout) {
   const rows = layout.rigs.filter((rig) => rig.frames.length).map((rig) => ({spec: rig.spec, value: errorOfFrame(rig.frames[nearestIndex(rig.frames, time)], layout.kind)}));
   rows.sort((a, b) => b.value - a.value);
   return [element('div', {class: 'when'}, seconds(time)), ...rows.map((row) => line(row.spec, percent(row.value), colorOf(row.spec))),
-    line('truth moves', index ? percent(movement) : '–'), line('mean irradiance', `${figure(mean)} W/m²`)];
+    line('truth moves', movement === null ? '–' : percent(movement)), line('mean irradiance', `${figure(mean)} W/m²`)];
 }
