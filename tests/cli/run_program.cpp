@@ -1,7 +1,11 @@
 #include "cli/run_program.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <signal.h>
+#include <spawn.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <array>
 #include <cstdio>
@@ -9,6 +13,7 @@
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 namespace rigel::test {
 namespace {
@@ -38,6 +43,35 @@ Outcome runProgram(const std::vector<std::string>& arguments, const std::string&
   Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1, contentOf(folder / "out"), contentOf(folder / "err")};
   if (outcome.exitCode > 128) outcome.exitCode = -1;  // how a shell tells of a signal
   return outcome;
+}
+
+RunningProgram::RunningProgram(const std::vector<std::string>& arguments) {
+  std::vector<std::string> words{RIGEL_PROGRAM};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  for (const auto& [descriptor, name] : {std::pair{1, "out"}, {2, "err"}})
+    posix_spawn_file_actions_addopen(&files, descriptor, (output_ / name).c_str(), O_WRONLY | O_CREAT, 0600);
+  const int failed = posix_spawn(&id_, RIGEL_PROGRAM, &files, nullptr, pointers.data(), environ);
+  posix_spawn_file_actions_destroy(&files);
+  if (failed != 0) throw std::runtime_error("cannot start " RIGEL_PROGRAM);
+}
+
+RunningProgram::~RunningProgram() {
+  if (id_ < 0) return;
+  ::kill(id_, SIGKILL);
+  ::waitpid(id_, nullptr, 0);
+}
+
+void RunningProgram::signal(int number) const { ::kill(id_, number); }
+
+Outcome RunningProgram::wait() {
+  int status = 0;
+  ::waitpid(std::exchange(id_, -1), &status, 0);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contentOf(output_ / "out"), contentOf(output_ / "err")};
 }
 
 TemporaryFolder::TemporaryFolder() {

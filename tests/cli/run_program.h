@@ -1,6 +1,8 @@
 // Runs the rigel program as a user's shell does.
 #pragma once
 
+#include <sys/types.h>
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -28,6 +30,24 @@ class TemporaryFolder {
 
  private:
   std::filesystem::path path_;
+};
+
+/// The program in the background, for signals. The destructor kills it.
+class RunningProgram {
+ public:
+  explicit RunningProgram(const std::vector<std::string>& arguments);
+  ~RunningProgram();
+  RunningProgram(const RunningProgram&) = delete;
+  RunningProgram& operator=(const RunningProgram&) = delete;
+
+  pid_t id() const { return id_; }
+  void signal(int number) const;
+  /// Waits for the end. Exit code -1: ended by a signal.
+  Outcome wait();
+
+ private:
+  TemporaryFolder output_;
+  pid_t id_ = -1;
 };
 
 void writeFile(const std::filesystem::path& file, const std::string& content);

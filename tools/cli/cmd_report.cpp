@@ -1,6 +1,8 @@
 // rigel report: the main job. Fits rigs frame by frame, compares them with the truth, writes the report.
 #include "cli/command.h"
+#include "cli/interrupt.h"
 #include "cli/progress_line.h"
+#include "report/made_directory.h"
 #include "report/report_json.h"
 #include "report/report_text.h"
 #include "report/scene_run.h"
@@ -72,20 +74,29 @@ int runReportCommand(const Arguments& arguments) {
   const auto options = parse(arguments);
   if (!options) return fail(kExitBadUse, options.error().line());
 
+  rememberInterrupts();
   const std::filesystem::path out(arguments.out);
-  StagedImages images(out);
+  const auto made = MadeDirectory::make(out);
+  if (!made) return fail(kExitBadInput, made.error().line());
+  if (const auto error = reportObstacle(out)) return fail(kExitBadInput, error->line());
+  const auto images = StagedImages::begin(out, options->images);
+  if (!images) return fail(kExitBadInput, images.error().line());
+
   auto report = [&] {
     ProgressLine progress(arguments.quiet);
-    return runReport(*options, images.directory(),
-                     [&](double share, const std::string& what) { progress(share, what); });
+    return runReport(*options, (*images)->directory(), [&](double share, const std::string& what) {
+      stopIfInterrupted();
+      progress(share, what);
+    });
   }();
   if (!report) return fail(kExitBadInput, report.error().line());
   report->version = RIGEL_VERSION;
   report->commandLine = commandLine(arguments);
 
+  if (const auto error = (*images)->putInPlace()) return fail(kExitBadInput, error->line());
   const auto written = writeReport(*report, out);
   if (!written) return fail(kExitBadInput, written.error().line());
-  if (const auto error = images.commit()) return fail(kExitBadInput, error->line());
+  (*images)->keep();
   if (arguments.json) {
     fmt::print("{}\n", jsonText(*reportJson(*report), -1));  // written above, so it is sound
   } else {

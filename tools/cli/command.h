@@ -8,8 +8,9 @@
 namespace rigel::tools {
 
 inline constexpr int kExitOk = 0;
-inline constexpr int kExitBadInput = 1;  // a file, scene or measurement that cannot be used
-inline constexpr int kExitBadUse = 2;    // a command line that makes no sense
+inline constexpr int kExitBadInput = 1;       // a file, scene or measurement that cannot be used
+inline constexpr int kExitBadUse = 2;         // a command line that makes no sense
+inline constexpr int kExitInterrupted = 130;  // Ctrl-C, by the custom of shells
 
 struct Command {
   CLI::App* app = nullptr;

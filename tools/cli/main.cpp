@@ -1,5 +1,6 @@
 // The rigel program: subcommands, version, exit codes.
 #include "cli/command.h"
+#include "cli/interrupt.h"
 
 #include <fmt/core.h>
 
@@ -21,7 +22,8 @@ constexpr const char* kFooter = R"(Scenes are .gltf or .glb files, or built-in o
   rigel report sample:street --rig "constant;mixed:l3,g,c;poly:6" --out street
   rigel report soldier.glb --clip walk --rig poly:12 --lights sample:stage --out soldier
 
-Exit code: 0 success, 1 input that cannot be used, 2 a command line that makes no sense.)";
+Exit code: 0 success, 1 input that cannot be used, 2 a command line that makes no sense,
+130 interrupted.)";
 
 // CLI11's messages may run over several lines; ours take one.
 std::string firstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
@@ -55,6 +57,8 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     return rigel::tools::run(argc, argv);
+  } catch (const rigel::tools::Interrupted& interrupt) {
+    return rigel::tools::fail(rigel::tools::kExitInterrupted, interrupt.what());
   } catch (const std::exception& error) {
     return rigel::tools::fail(rigel::tools::kExitBadInput, error.what());
   }

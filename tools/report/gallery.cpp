@@ -5,7 +5,7 @@
 #include "picture/shade_exact.h"
 #include "picture/tone_map.h"
 #include "report/picture_names.h"
-#include "report/staged_images.h"
+#include "report/earlier_pictures.h"
 
 #include <algorithm>
 #include <cmath>

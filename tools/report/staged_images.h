@@ -1,34 +1,49 @@
 // The pictures of a report while it is being made: aside, so that a failure leaves an older report as it was.
 #pragma once
 
+#include "report/earlier_pictures.h"
+#include "report/staged_file.h"
+
 #include <rigel/result.h>
 
 #include <filesystem>
+#include <memory>
 #include <optional>
+#include <set>
+#include <string>
+#include <vector>
 
 namespace rigel::tools {
 
-/// Name of the folder of pictures within a report's directory.
-inline constexpr const char* kImageFolder = "images";
-
-/// Owns a temporary folder in the report's directory. Without commit() the destructor removes it, and the report's
-/// directory too if that did not exist before and is empty.
+/// Owns the folder ".images.PID" in the report's directory, which the destructor removes. Pictures of an earlier report
+/// are replaced and removed; a file that its report.json does not name is never touched.
+///
+///     images->directory()     write pictures here
+///     images->putInPlace()    now they are in images/
+///     ...write the rest...    a failure here, and the destructor puts the earlier pictures back
+///     images->keep()          what only the earlier report had is removed
 class StagedImages {
  public:
-  explicit StagedImages(std::filesystem::path report);
+  /// Tries that pictures (if there will be any) can get into place, and removes what killed programs have left. The
+  /// directory must exist.
+  static Result<std::unique_ptr<StagedImages>> begin(const std::filesystem::path& report, bool pictures);
   ~StagedImages();
   StagedImages(const StagedImages&) = delete;
   StagedImages& operator=(const StagedImages&) = delete;
 
-  /// Where pictures are to be written now; made by who writes the first.
   const std::filesystem::path& directory() const { return aside_; }
-
-  /// Puts the folder (if there is one) in the place of an earlier report's.
-  std::optional<Error> commit();
+  std::optional<Error> putInPlace();
+  void keep();
 
  private:
-  std::filesystem::path report_, aside_;
-  bool madeReport_ = false;
+  explicit StagedImages(const std::filesystem::path& report);
+  std::optional<Error> check() const;
+
+  std::filesystem::path report_, target_, aside_;
+  std::set<std::string> earlier_;  // names of the earlier report's pictures
+  std::set<std::string> placed_;
+  std::vector<std::unique_ptr<StagedFile>> files_;
+  bool madeTarget_ = false, kept_ = false;
 };
 
 }  // namespace rigel::tools

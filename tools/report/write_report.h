@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 
 namespace rigel::tools {
 
@@ -16,8 +17,11 @@ struct WrittenReport {
   std::uintmax_t htmlBytes = 0;
 };
 
+/// What would keep writeReport from putting its files into `directory`, as far as one can see without writing them.
+std::optional<Error> reportObstacle(const std::filesystem::path& directory);
+
 /// Writes report.html and report.json into `directory` (made where it does not exist): aside first, renamed once both
-/// are complete. After an Error the directory holds what it held before. Pictures are the business of who made them.
+/// are complete. After an Error the directory holds what it held before. Pictures are the business of StagedImages.
 Result<WrittenReport> writeReport(const Report& report, const std::filesystem::path& directory);
 
 }  // namespace rigel::tools

@@ -1,0 +1,53 @@
+#include "report/earlier_pictures.h"
+
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+#include <string_view>
+#include <system_error>
+
+namespace rigel::tools {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+namespace {
+
+/// The elements of array `name`; none where there is no such array.
+const Json& listIn(const Json& object, const char* name) {
+  static const Json kNone = Json::array();
+  if (!object.is_object()) return kNone;
+  const auto found = object.find(name);
+  return found != object.end() && found->is_array() ? *found : kNone;
+}
+
+/// The file's name, or "" where `path` is not that of a picture straight in the folder.
+std::string pictureName(const std::string& path) {
+  const std::string folder = std::string(kImageFolder) + "/";
+  if (!path.starts_with(folder)) return "";
+  const std::string name = path.substr(folder.size());
+  const bool picture = name.ends_with(".png") || name.ends_with(".exr");
+  return picture && name.find('/') == std::string::npos && name.find('\0') == std::string::npos ? name : "";
+}
+
+}  // namespace
+
+std::set<std::string> earlierPictures(const fs::path& report) {
+  std::set<std::string> names;
+  std::ifstream stream(report / "report.json", std::ios::binary);
+  if (!stream) return names;
+  const Json document = Json::parse(stream, nullptr, false);
+  std::error_code code;
+  for (const Json& object : listIn(document, "objects"))
+    for (const Json& picture : listIn(object, "pictures"))
+      for (const char* key : {"image_png", "image_exr", "error_png", "error_exr"}) {
+        if (!picture.is_object() || !picture.contains(key) || !picture[key].is_string()) continue;
+        const std::string name = pictureName(picture[key].get<std::string>());
+        if (name.empty()) continue;
+        // A link is not what we wrote, even under the name of what we wrote.
+        if (fs::is_regular_file(fs::symlink_status(report / kImageFolder / name, code))) names.insert(name);
+      }
+  return names;
+}
+
+}  // namespace rigel::tools
