@@ -108,6 +108,20 @@ void accumulate(const Light& light, Vec3 p, ProjectionWithGradient<B>& out) noex
   accumulateGradient<B>(term, detail::colourOf(light), out.gradient);
 }
 
+template <int B, class Light>
+RadianceSH<B> valueOf(const Light& light, Vec3 p) noexcept {
+  RadianceSH<B> sh;
+  accumulate<B>(light, p, 0, sh);
+  return sh;
+}
+
+template <int B, class Light>
+ProjectionWithGradient<B> valueAndGradientOf(const Light& light, Vec3 p) noexcept {
+  ProjectionWithGradient<B> out;
+  accumulate<B>(light, p, out);
+  return out;
+}
+
 }  // namespace
 
 template <int B>
@@ -116,26 +130,17 @@ RadianceSH<B> project(const DirectionalLight& light, Vec3) noexcept {
   accumulate<B>(light, sh);
   return sh;
 }
-
 template <int B>
 RadianceSH<B> project(const PointLight& light, Vec3 p) noexcept {
-  RadianceSH<B> sh;
-  accumulate<B>(light, p, 0, sh);
-  return sh;
+  return valueOf<B>(light, p);
 }
-
 template <int B>
 RadianceSH<B> project(const SpotLight& light, Vec3 p) noexcept {
-  RadianceSH<B> sh;
-  accumulate<B>(light, p, 0, sh);
-  return sh;
+  return valueOf<B>(light, p);
 }
-
 template <int B>
 RadianceSH<B> project(const SphereLight& light, Vec3 p) noexcept {
-  RadianceSH<B> sh;
-  accumulate<B>(light, p, 0, sh);
-  return sh;
+  return valueOf<B>(light, p);
 }
 
 template <int B>
@@ -154,26 +159,17 @@ ProjectionWithGradient<B> projectWithGradient(const DirectionalLight& light, Vec
   accumulate<B>(light, out.value);
   return out;
 }
-
 template <int B>
 ProjectionWithGradient<B> projectWithGradient(const PointLight& light, Vec3 p) noexcept {
-  ProjectionWithGradient<B> out;
-  accumulate<B>(light, p, out);
-  return out;
+  return valueAndGradientOf<B>(light, p);
 }
-
 template <int B>
 ProjectionWithGradient<B> projectWithGradient(const SpotLight& light, Vec3 p) noexcept {
-  ProjectionWithGradient<B> out;
-  accumulate<B>(light, p, out);
-  return out;
+  return valueAndGradientOf<B>(light, p);
 }
-
 template <int B>
 ProjectionWithGradient<B> projectWithGradient(const SphereLight& light, Vec3 p) noexcept {
-  ProjectionWithGradient<B> out;
-  accumulate<B>(light, p, out);
-  return out;
+  return valueAndGradientOf<B>(light, p);
 }
 
 template <int B>
