@@ -30,6 +30,7 @@ TEST(Program, BadUseExitsWithTwo) {
                                              {"repport"},
                                              {"report"},
                                              {"report", "sample:touch"},
+                                             {"report", "sample:touch", "--out", ""},
                                              {"report", "sample:touch", "--out", "x", "--bands", "6"},
                                              {"report", "sample:touch", "--out", "x", "--wrap", "2"},
                                              {"report", "sample:touch", "--out", "x", "--exposure", "0"},

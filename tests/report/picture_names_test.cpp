@@ -39,10 +39,20 @@ TEST(PictureNames, NeverMeet) {
       for (std::size_t object = 0; object < 120; ++object)
         for (const int frame : {0, 12, 12345}) {
           const std::string prefix = pictureNamePrefix({names[scene % 7], scene, 12, clips[clip], clip, 4});
-          seen.insert(pictureNameStem(prefix, object, names[object % 7], frame));
+          const std::string stem = pictureNameStem(prefix, object, names[object % 7], frame);
+          EXPECT_TRUE(tools::isPictureName(stem + "truth.png")) << stem;
+          seen.insert(stem);
           ++count;
         }
   EXPECT_EQ(seen.size(), count);
+}
+
+TEST(PictureNames, AreKnownAgain) {
+  EXPECT_TRUE(tools::isPictureName("01-car-frame0025-poly_12-error.exr"));
+  EXPECT_TRUE(tools::isPictureName("03-frame0000-truth.png"));
+  for (const char* other : {"car.png", "01-car.png", "01-car-frame0025-truth.jpg", "1-car-frame0025-truth.png",
+                            "beach-01-car-frame0025-truth.png", "frame0025-truth.png", ""})
+    EXPECT_FALSE(tools::isPictureName(other)) << other;
 }
 
 TEST(PictureNames, StayShort) {

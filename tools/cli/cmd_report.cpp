@@ -38,6 +38,7 @@ struct Arguments {
 };
 
 Result<RunOptions> parse(const Arguments& arguments) {
+  if (arguments.out.empty()) return Error{"the name of a directory is missing", "--out"};
   RunOptions options;
   auto rigs = parseRigSpecs(arguments.rigs);
   if (!rigs) return rigs.error();

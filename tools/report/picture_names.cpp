@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <regex>
 
 namespace rigel::tools {
 namespace {
@@ -67,6 +68,11 @@ std::vector<std::string> rigNameParts(const std::vector<std::string>& specs) {
     parts.push_back(std::move(part));
   }
   return parts;
+}
+
+bool isPictureName(const std::string& name) {
+  static const std::regex kNames(R"((?:[sc]\d+-.*o)?\d\d+-(?:.+-)?frame\d{4,}-.+\.(?:png|exr))");
+  return std::regex_match(name, kNames);
 }
 
 }  // namespace rigel::tools

@@ -30,4 +30,7 @@ std::string pictureNameStem(std::string_view prefix, std::size_t objectNumber, s
 /// The names' ends: each spec as a file name part; a number is added where two would be the same.
 std::vector<std::string> rigNameParts(const std::vector<std::string>& specs);
 
+/// Whether a picture of some report could have this name (with its extension).
+bool isPictureName(const std::string& name);
+
 }  // namespace rigel::tools

@@ -1,5 +1,7 @@
 #include "report/staged_images.h"
 
+#include "report/picture_names.h"
+
 #include <fmt/format.h>
 #include <signal.h>
 #include <unistd.h>
@@ -77,10 +79,9 @@ std::optional<Error> StagedImages::check() const {
   fs::remove(probe, code);
 
   // Pictures by our names that no report names: better refused now than when they turn out to be in the way.
-  const std::regex ours(R"((?:s\d+-.*|c\d+-.*)?o?\d\d+-.*frame\d{4,}-.+\.(?:png|exr))");
   for (fs::directory_iterator entry(target_, code), end; !code && entry != end; entry.increment(code)) {
     const std::string name = entry->path().filename().string();
-    if (std::regex_match(name, ours) && !earlier_.contains(name))
+    if (isPictureName(name) && !earlier_.contains(name))
       return Error{"looks like a picture of a report that is gone; move it away first", entry->path().string()};
   }
   if (code) return Error{"cannot be read: " + code.message(), target_.string()};
