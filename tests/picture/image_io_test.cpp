@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <png.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <fstream>
@@ -118,6 +119,16 @@ TEST_F(ImageIo, FailedWritesNameTheFileAndLeaveNothing) {
   EXPECT_FALSE(writePng(Image8(4, 4), directory_ / "taken"));
   EXPECT_FALSE(writeExr(makeImage(4, 4), directory_ / "taken"));
   EXPECT_EQ(fileCount(), 1) << "a temporary file was left behind";
+}
+
+TEST_F(ImageIo, AFullDiskIsNamed) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full on this system";
+  // What is written aside is a link to the device that is always full.
+  fs::create_symlink("/dev/full", directory_ / ("a.png.part" + std::to_string(::getpid())));
+  const auto png = writePng(Image8(4, 4), directory_ / "a.png");
+  ASSERT_FALSE(png);
+  EXPECT_NE(png.error().message.find("No space left"), std::string::npos) << png.error().line();
+  EXPECT_EQ(fileCount(), 0);
 }
 
 TEST_F(ImageIo, OverwritesAnOlderPicture) {

@@ -10,9 +10,10 @@
 #include <half.h>
 #include <png.h>
 
+#include <cerrno>
 #include <cstdio>
-#include <fstream>
 #include <stdexcept>
+#include <system_error>
 
 namespace rigel::tools {
 namespace {
@@ -104,10 +105,15 @@ Result<std::vector<std::uint8_t>> encodePng(const Image8& image) {
 
 Result<std::size_t> writeEncodedPng(std::span<const std::uint8_t> png, const std::filesystem::path& file) {
   return replaceFile(file, [&](const std::filesystem::path& aside) {
-    std::ofstream out(aside, std::ios::binary);
-    out.write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
-    out.close();
-    if (!out) throw std::filesystem::filesystem_error("write", std::make_error_code(std::errc::io_error));
+    // Not a stream, which would not tell why it failed.
+    const auto fail = [](int cause) {
+      throw std::filesystem::filesystem_error("write", std::error_code(cause, std::generic_category()));
+    };
+    std::FILE* out = std::fopen(aside.c_str(), "wb");
+    if (!out) fail(errno);
+    const int writeError = std::fwrite(png.data(), 1, png.size(), out) == png.size() ? 0 : errno;
+    const int closeError = std::fclose(out) == 0 ? 0 : errno;  // a full disk may show only here
+    if (const int cause = writeError ? writeError : closeError) fail(cause);
   });
 }
 
