@@ -113,6 +113,9 @@ TEST_F(BadInput, Options) {
   expectRefused("sample:touch", 2, "given twice", {"--rig", "poly:6;poly:6"});
   expectRefused("sample:touch", 2, "the range is empty", {"--frames", "5:2"});
   expectRefused("sample:touch", 2, "--frames x", {"--frames", "x"});
+  expectRefused("sample:touch", 2, "--exposure", {"--exposure", "nan"});
+  expectRefused("sample:touch", 2, "--exposure", {"--exposure", "1e38"});
+  expectRefused("sample:touch", 2, "--wrap", {"--wrap", "nan"});
   expectRefused("sample:touch", 1, "past the end", {"--frames", "100000:"});
   expectRefused("sample:touch", 1, "no clip 'nope'", {"--clip", "nope"});
   expectRefused("sample:touch", 1, "none.glb", {"--lights", folder_ / "none.glb"});

@@ -53,6 +53,7 @@ Result<RunOptions> parse(const Arguments& arguments) {
   options.exposure = arguments.exposure;
   options.lights = arguments.lights;
   options.images = !arguments.noImages;
+  if (const auto error = checkOptions(options)) return *error;
   return options;
 }
 
@@ -125,9 +126,7 @@ Command addReport(CLI::App& root) {
       ->capture_default_str()
       ->check(CLI::Range(kMinBands, kMaxBands));
   app->add_option("--lights", arguments->lights, "Take the lights of another scene, scaled to this one's size");
-  app->add_option("--exposure", arguments->exposure, "Multiplies all light")
-      ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+  app->add_option("--exposure", arguments->exposure, "Multiplies all light")->capture_default_str();
   app->add_flag("--no-images", arguments->noImages, "Leave the pictures out");
   app->add_flag("--json", arguments->json, "Print report.json on standard output instead of the table");
   app->add_flag("--quiet", arguments->quiet, "No progress on standard error");
