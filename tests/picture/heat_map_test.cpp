@@ -98,14 +98,14 @@ TEST(HeatMap, TinyPicturesDoNotOverrun) {
   }
 }
 
-TEST(HeatScale, IsRoundAndHolds98PercentOfTheObject) {
+TEST(HeatScale, IsRoundAndHoldsNineTenthsOfTheObject) {
   const VisibleSurface surface = halfAndHalf(100, 100);
   std::vector<float> error(surface.samples.size(), 100.0f);  // scenery's does not count
   int n = 0;
   for (std::size_t i = 0; i < error.size(); ++i) {
     if (surface.samples[i].kind == SampleKind::object) error[i] = 0.0001f * static_cast<float>(++n % 1000);
   }
-  EXPECT_FLOAT_EQ(heatScale(surface, error), 0.1f);  // 98 % lie below 0.098
+  EXPECT_FLOAT_EQ(heatScale(surface, error), 0.1f);  // nine tenths lie below 0.09
   for (float& e : error) e *= 3;
   EXPECT_FLOAT_EQ(heatScale(surface, error), 0.5f);
   EXPECT_GT(heatScale(surface, std::vector<float>(error.size(), 0.0f)), 0);

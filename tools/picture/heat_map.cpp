@@ -119,7 +119,7 @@ Image8 heatMap(const VisibleSurface& surface, std::span<const float> error, floa
 }
 
 float heatScale(const VisibleSurface& surface, std::span<const float> error) {
-  constexpr double kShare = 0.98;
+  constexpr double kShare = 0.9;
   assert(error.size() == surface.samples.size());
   std::vector<float> onObject;
   for (std::size_t s = 0; s < error.size(); ++s) {

@@ -16,7 +16,7 @@ Rgb8 heatColour(float t);
 /// `maxError` is the top of the scale drawn in the lower left corner; larger errors show the top colour.
 Image8 heatMap(const VisibleSurface& surface, std::span<const float> error, float maxError);
 
-/// A round top of the scale (1, 2 or 5 times a power of ten) that at most 2 % of the object's samples exceed.
+/// A round top of the scale (1, 2 or 5 times a power of ten) that at most a tenth of the object's samples exceed.
 float heatScale(const VisibleSurface& surface, std::span<const float> error);
 
 }  // namespace rigel::tools

@@ -4,11 +4,12 @@
 #include "picture/image_io.h"
 #include "picture/shade_exact.h"
 #include "picture/tone_map.h"
-#include "report/picture_names.h"
 #include "report/earlier_pictures.h"
+#include "report/picture_names.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace rigel::tools {
 namespace {
@@ -176,16 +177,15 @@ Result<std::vector<Picture>> photograph(const Scene& scene, std::span<const Scen
     std::vector<Rgb> irradiance, error;
   };
   std::vector<Shaded> shaded;
-  std::vector<float> scales;
+  // One scale for all rigs of the frame, or their heat maps could not be compared: that of the best one, whose errors
+  // would be black on any other's.
+  float top = std::numeric_limits<float>::infinity();
   for (const auto& rig : run.rigs()) {
     auto irradiance = photographer.irradianceOf(*rig, lights);
     auto error = photographer.relativeError(irradiance);
-    scales.push_back(photographer.heatScaleOf(error));
+    top = std::min(top, std::max(kLeastHeatScale, photographer.heatScaleOf(error)));
     shaded.push_back({std::move(irradiance), std::move(error)});
   }
-  // One scale for all rigs of the frame, or their heat maps could not be compared.
-  std::ranges::sort(scales);
-  const float top = std::max(kLeastHeatScale, scales[scales.size() / 2]);
 
   std::vector<std::string> specs;
   for (const auto& rig : run.rigs()) specs.push_back(rig->rig().spec().text);
