@@ -1,8 +1,16 @@
 #include "report/truth.h"
 
-#include <tbb/parallel_for.h>
+#include "picture/parallel.h"
+
+#include <algorithm>
 
 namespace rigel::tools {
+namespace {
+
+// Enough samples a block that handing it out costs nothing, few enough that the last block is short.
+constexpr std::size_t kBlock = 64;
+
+}  // namespace
 
 void Truth::update(const SceneObject& object, const PosedObject& posed, const SurfaceSet& surface,
                    const LightSet& lights, int bands) {
@@ -11,11 +19,14 @@ void Truth::update(const SceneObject& object, const PosedObject& posed, const Su
   exact.resize(count);
   sh.resize(count);
   withBands(bands, [&]<int B>() {
-    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
-      points[i] = evaluateSurface(object, posed, surface.measured[i]);
-      const auto& [p, n] = points[i];
-      exact[i] = exactIrradiance(lights, p, n, surface.wrap[i]);
-      sh[i] = irradiance<B>(project<B>(lights, p), wrapCoefficients<B>(surface.wrap[i]), n);
+    parallelFor(static_cast<int>((count + kBlock - 1) / kBlock), [&](int block) {
+      const std::size_t first = kBlock * static_cast<std::size_t>(block);
+      for (std::size_t i = first; i < std::min(first + kBlock, count); ++i) {
+        points[i] = evaluateSurface(object, posed, surface.measured[i]);
+        const auto& [p, n] = points[i];
+        exact[i] = exactIrradiance(lights, p, n, surface.wrap[i]);
+        sh[i] = irradiance<B>(project<B>(lights, p), wrapCoefficients<B>(surface.wrap[i]), n);
+      }
     });
   });
   mean = 0;
