@@ -93,6 +93,17 @@ class LightSet {
     return {l.position(index), l.radius[index], l.colour(index)};
   }
 
+  /// `f(light)` with light `i` of all, counted in the order directional, point, spot, sphere; its result.
+  template <class F>
+  decltype(auto) visit(int i, F&& f) const {
+    if (i < directionalCount()) return f(directional(i));
+    i -= directionalCount();
+    if (i < pointCount()) return f(point(i));
+    i -= pointCount();
+    if (i < spotCount()) return f(spot(i));
+    return f(sphere(i - spotCount()));
+  }
+
  private:
   using Floats = std::vector<float>;
   struct Directional {

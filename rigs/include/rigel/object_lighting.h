@@ -1,0 +1,115 @@
+// The lighting of one moving object: its rig, the lights too close for the rig, and how wrong the two together are.
+//
+// Each frame every light gets a weight w: the share w is evaluated exactly at every point, 1 - w enters the rig. Fixed
+// rigs move the few lights with the largest error bounds; `auto` rigs weigh rig coefficients and near lights against
+// each other until an error target, or a time budget, is met.
+#pragma once
+
+#include <rigel/near_far.h>
+#include <rigel/near_light.h>
+#include <rigel/rig_light.h>
+
+#include <cstdint>
+#include <memory>
+
+namespace rigel {
+
+/// What the choice of coefficients and near lights aims at. Errors are RMS over the surface, relative to the reference
+/// irradiance.
+struct LightingTarget {
+  enum class Kind {
+    none,          // fixed rig, fixed number of near slots
+    spatialError,  // rig against SH of the same bands at every point
+    totalError,    // everything against exact irradiance
+    budget,        // microseconds of modelled time a frame (CostModel)
+  };
+  Kind kind = Kind::none;
+  float value = 0;
+};
+
+/// Modelled time [ns] of shading one point; calibrated, so that choices depend on no clock.
+struct CostModel {
+  float base = 30;      // normal's SH basis and convolution
+  float vector = 3.5f;  // one more SH vector of the rig
+  float nearLight = 25;   // one near light
+  float highBand = 9;   // the constant high band
+};
+
+struct LightingOptions {
+  LightingTarget target;
+  int nearSlots = 0;
+  float reference = 0;    // [W/m2] irradiance that errors are relative to (what the exposure shows as mid-grey); 0: the
+                          // object's own mean in the frame
+  float wrap = 0;         // of the object's materials
+  int points = 10000;     // shaded a frame, for budgets
+  bool estimate = false;  // wanted even where the choice does not need it
+  CostModel cost;
+};
+
+/// Why a light is where it is.
+enum class LightRole : std::uint8_t {
+  culled,   // gives the object nothing: out of range, outside its cone, black
+  far,      // in the rig
+  blended,  // part in the rig, part exact
+  near,     // exact
+};
+
+struct LightVerdict {
+  LightRole role = LightRole::far;
+  float weight = 0;  // evaluated exactly
+  float bound = 0;   // of the error of leaving it in the rig [W/m2], RMS over channels
+  float share = 0;   // of the object's mean irradiance (estimated at the rig's samples); all lights sum to 1
+};
+
+/// Parts of a frame's work, for whoever times them.
+enum class LightingStage : std::uint8_t { bound, choose, project, fit, estimate };
+struct LightingProbe {
+  void (*done)(void* context, LightingStage stage) = nullptr;  // called as each ends
+  void* context = nullptr;
+};
+
+template <int B>
+class ObjectLighting {
+ public:
+  static Result<ObjectLighting> create(const RigSpec& spec, const RigShape& rest, const LightingOptions& options);
+  ObjectLighting(ObjectLighting&&) noexcept;
+  ObjectLighting& operator=(ObjectLighting&&) noexcept;
+  ~ObjectLighting();
+
+  const Rig& rig() const noexcept;
+  LightingOptions& options() noexcept;
+
+  /// Indices into RigShape::surface of the points that setPose wants posed.
+  std::span<const int> anchors() const noexcept;
+  void setPose(const RigPose& pose, const RigFrame& worldFromRig) noexcept;
+
+  /// After a cut or a teleport: nothing fades.
+  void reset() noexcept;
+
+  /// Fits the object's lighting to the frame's lights. `seconds` since the last call; `ids` name the lights from frame
+  /// to frame (empty: by index). Allocates only while lights grow in number.
+  void light(const LightSet& lights, float seconds, std::span<const std::uint32_t> ids = {}, LightingProbe probe = {});
+
+  /// SH vectors in use: of an `auto` rig as many as the frame needs, in nested order.
+  std::span<const RadianceSH<B>> coefficients() const noexcept;
+  std::span<const NearLight> nearLights() const noexcept;
+  std::span<const LightVerdict> verdicts() const noexcept;  // per light
+
+  /// RMS error over the surface, relative to the reference irradiance; empty where it was not asked for.
+  std::optional<float> spatialEstimate() const noexcept;
+  std::optional<float> totalEstimate() const noexcept;
+  float modelledNanoseconds() const noexcept;  // per point, by the cost model
+
+  /// Rig and near lights at a world point with unit normal; the rig's part is not clamped.
+  struct Parts {
+    Rgb rig, near;
+  };
+  Parts shade(Vec3 p, Vec3 n, const std::array<float, B>& wrapCoefficients, float wrap) const noexcept;
+
+ private:
+  struct State;
+  explicit ObjectLighting(std::unique_ptr<State> state) noexcept;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace rigel
