@@ -1,9 +1,10 @@
 // Parses the text form of rig models. Grammar, blanks ignored:
 //
-//   spec   := ( "constant" | "gradient" | lattice | mixed | "poly:" K ) [ "@" fit ]
+//   spec   := ( "constant" | "gradient" | lattice | mixed | poly ) [ "@" fit ]
 //   lattice:= "lattice:" N "x" N "x" N [ ":" kernel ]
 //   mixed  := "mixed:" [ "xyz:" ] axis "," axis "," axis
 //   axis   := "c" | "g" | "l" N
+//   poly   := "poly:" K | "auto" [ ":" K ]
 //   kernel := "linear" | "smooth" | "cubic"
 //   fit    := "corners" | "numeric" | "lsq"
 #include <rigel/rig_spec.h>
@@ -58,6 +59,17 @@ std::optional<LatticeKernel> parseKernel(std::string_view text) {
   return std::nullopt;
 }
 
+/// K of a polynomial. Returns what is wrong, or "".
+std::string parseTerms(std::string_view text, RigSpec& spec) {
+  const auto terms = parseInt(text);
+  if (!terms || *terms < 1 || *terms > kMaxPolyTerms)
+    return "'" + std::string(text) + "' is not a number of terms from 1 to " + std::to_string(kMaxPolyTerms);
+  spec.family = RigSpec::Family::poly;
+  spec.fit = FitMethod::lsq;
+  spec.polyTerms = *terms;
+  return "";
+}
+
 /// The part before '@'. Returns what is wrong, or "".
 std::string parseModel(std::string_view text, RigSpec& spec) {
   if (text == "constant") return "";
@@ -93,22 +105,22 @@ std::string parseModel(std::string_view text, RigSpec& spec) {
     }
     return "";
   }
-  if (consumePrefix(text, "poly:")) {
-    const auto terms = parseInt(text);
-    if (!terms || *terms < 1 || *terms > kMaxPolyTerms)
-      return "'" + std::string(text) + "' is not a number of terms from 1 to " + std::to_string(kMaxPolyTerms);
-    spec.family = RigSpec::Family::poly;
-    spec.fit = FitMethod::lsq;
-    spec.polyTerms = *terms;
-    return "";
+  if (consumePrefix(text, "poly:")) return parseTerms(text, spec);
+  if (consumePrefix(text, "auto:")) {
+    spec.adaptive = true;
+    return parseTerms(text, spec);
   }
-  return "unknown rig model (known: constant, gradient, lattice:AxBxC, mixed:m1,m2,m3, poly:K)";
+  if (text == "auto") {
+    spec.adaptive = true;
+    return parseTerms(std::to_string(kAutoTerms), spec);
+  }
+  return "unknown rig model (known: constant, gradient, lattice:AxBxC, mixed:m1,m2,m3, poly:K, auto, auto:K)";
 }
 
 /// The part after '@'. Returns what is wrong, or "".
 std::string parseFit(std::string_view text, RigSpec& spec) {
   if (spec.family == RigSpec::Family::poly) {
-    return text == "lsq" ? "" : "a poly rig is always least squares: '@" + std::string(text) + "' does not apply";
+    return text == "lsq" ? "" : "a polynomial rig is always least squares: '@" + std::string(text) + "' does not apply";
   }
   if (text == "corners") {
     spec.fit = FitMethod::corners;
@@ -139,6 +151,7 @@ int RigSpec::shVectors() const noexcept {
 
 std::optional<Error> checkRigSpec(const RigSpec& spec) {
   const std::string place = "rig spec '" + spec.text + "'";
+  if (spec.adaptive && spec.family != RigSpec::Family::poly) return Error{"only polynomial rigs are adaptive", place};
   if (spec.family == RigSpec::Family::poly) {
     if (spec.polyTerms < 1 || spec.polyTerms > kMaxPolyTerms)
       return Error{"a poly rig has 1 to " + std::to_string(kMaxPolyTerms) + " terms", place};

@@ -17,7 +17,10 @@ std::vector<float> setUpAnchors(Rig::Model& model, std::span<const Vec3> surface
   model.samples.resize(model.anchors.size());
   // Without footprints a light that touches the surface next to an anchor would pass for one that lights all of the
   // anchor's patch as brightly.
-  for (std::size_t i = 0; i < model.samples.size(); ++i) model.samples[i].footprint = chosen.radius[i];
+  for (std::size_t i = 0; i < model.samples.size(); ++i) {
+    model.samples[i].footprint = chosen.radius[i];
+    model.samples[i].share = chosen.share[i];
+  }
   for (int k = 0; k < vectors; ++k) {
     for (int s = 0; s < model.functionals; ++s) model.op.addEntry(s, 0);
     model.op.endRow();

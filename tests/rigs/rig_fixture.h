@@ -57,7 +57,8 @@ inline const std::vector<std::string>& everyKindOfSpec() {
                                                  "poly:4",
                                                  "poly:6",
                                                  "poly:12",
-                                                 "poly:20"};
+                                                 "poly:20",
+                                                 "auto"};
   return specs;
 }
 

@@ -48,6 +48,24 @@ TEST(RigModels, ProjectionsCountFunctionals) {
   for (const auto& [text, projections] : cases) EXPECT_EQ(rigOf(text, kBody).projections(), projections) << text;
 }
 
+TEST(RigModels, SharesOfTheSurfaceSumToOne) {
+  for (const std::string& text : everyKindOfSpec()) {
+    const Rig rig = rigOf(text, kBody);
+    float sum = 0;
+    for (const RigSample& sample : rig.samples()) sum += sample.share;
+    EXPECT_NEAR(sum, rig.anchors().empty() ? 0 : 1, 1e-6f) << text;
+  }
+}
+
+TEST(RigModels, AutoIsBuiltAsThePolynomialOfItsTerms) {
+  const Rig rig = rigOf("auto:7", kBody);
+  const Rig poly = rigOf("poly:7", kBody);
+  const auto field = [](Vec3 p) { return std::sin(p.x) + p.y; };
+  const auto fitA = fitField(rig, field, [](Vec3) { return Vec3{}; });
+  const auto fitB = fitField(poly, field, [](Vec3) { return Vec3{}; });
+  for (Vec3 p : probes(kBody, 50, 9)) EXPECT_EQ(fitA(p), fitB(p));
+}
+
 TEST(RigModels, LinearLightIsExactWhereTheModelSpansIt) {
   const auto field = [](Vec3 p) { return 1 + 0.5f * p.x - 2 * p.y + 0.25f * p.z; };
   const auto gradient = [](Vec3) { return Vec3{0.5f, -2, 0.25f}; };

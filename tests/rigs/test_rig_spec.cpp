@@ -11,7 +11,8 @@ TEST(RigSpec, CountsShVectors) {
   const std::vector<std::pair<std::string, int>> cases = {
       {"constant", 1},       {"gradient", 4},      {"gradient@numeric", 4}, {"lattice:3x2x2", 12},
       {"lattice:8x4x2", 64}, {"lattice:1x1x1", 1}, {"mixed:l3,g,c", 6},     {"mixed:xyz:c,c,l5", 5},
-      {"mixed:l2,l3,g", 12}, {"mixed:l2,g,g", 6},  {"mixed:g,g,g", 4},      {"poly:12", 12}};
+      {"mixed:l2,l3,g", 12}, {"mixed:l2,g,g", 6},  {"mixed:g,g,g", 4},      {"poly:12", 12},
+      {"auto", 12},          {"auto:20", 20}};
   for (const auto& [text, vectors] : cases) EXPECT_EQ(specOf(text).shVectors(), vectors) << text;
 }
 
@@ -41,7 +42,11 @@ TEST(RigSpec, RefusesWithTheSpecAndTheCause) {
                                                                   {"poly:0", "not a number of terms"},
                                                                   {"poly:57", "not a number of terms"},
                                                                   {"poly:six", "'six' is not a number of terms"},
+                                                                  {"auto:", "'' is not a number of terms"},
+                                                                  {"auto:57", "not a number of terms"},
+                                                                  {"auto6", "unknown rig model"},
                                                                   {"poly:6@corners", "always least squares"},
+                                                                  {"auto@corners", "always least squares"},
                                                                   {"constant@numeric", "needs a gradient axis"},
                                                                   {"gradient@gaus", "unknown suffix '@gaus'"},
                                                                   {"gradient@", "unknown suffix '@'"}};
@@ -51,6 +56,16 @@ TEST(RigSpec, RefusesWithTheSpecAndTheCause) {
     EXPECT_THAT(spec.error().line(), HasSubstr(cause)) << text;
     EXPECT_THAT(spec.error().line(), HasSubstr("rig spec '" + text + "'"));
   }
+}
+
+TEST(RigSpec, AutoIsAnAdaptivePolynomial) {
+  const RigSpec spec = specOf("auto:9");
+  EXPECT_EQ(spec.family, RigSpec::Family::poly);
+  EXPECT_EQ(spec.fit, FitMethod::lsq);
+  EXPECT_TRUE(spec.adaptive);
+  EXPECT_FALSE(specOf("poly:9").adaptive);
+  EXPECT_NE(spec, specOf("poly:9"));
+  EXPECT_EQ(specOf("auto"), specOf("auto:12"));
 }
 
 TEST(RigSpec, ParsesLists) {
@@ -83,6 +98,9 @@ TEST(RigSpec, ChecksSpecsThatWereNotParsed) {
     EXPECT_TRUE(checkRigSpec(spec)) << terms;
     EXPECT_FALSE(Rig::create(spec, {{{0, 0, 0}, {1, 1, 1}}, ellipsoid({}, {1, 1, 1}, 20)})) << terms;
   }
+  spec = {};
+  spec.adaptive = true;
+  EXPECT_TRUE(checkRigSpec(spec)) << "a constant rig has nothing to adapt";
 }
 
 }  // namespace

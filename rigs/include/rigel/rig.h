@@ -40,6 +40,7 @@ struct RigSample {
   int derivatives = 0;
   std::array<Vec3, 3> directions{};
   float footprint = 0;  // m; radius of the patch of surface that the position stands for (project.h), 0 for a point
+  float share = 0;      // of the surface's area that the position stands for; least squares only, there they sum to 1
 };
 
 /// The basis functions that are not zero at a point.

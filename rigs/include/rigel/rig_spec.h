@@ -1,4 +1,4 @@
-// The text form of a rig model: "constant", "gradient@numeric", "lattice:3x2x2", "mixed:l3,g,c", "poly:6", ...
+// The text form of a rig model: "constant", "gradient@numeric", "lattice:3x2x2", "mixed:l3,g,c", "poly:6", "auto", ...
 #pragma once
 
 #include <rigel/result.h>
@@ -37,7 +37,9 @@ struct RigSpec {
   bool pinnedAxes = false;
   LatticeKernel kernel = LatticeKernel::linear;
   FitMethod fit = FitMethod::corners;
-  int polyTerms = 0;  // poly: K
+  int polyTerms = 0;      // poly: K
+  bool adaptive = false;  // poly: `auto`, whose coefficients and near lights are weighed anew each frame
+                          // (object_lighting.h); of the K terms a frame takes as many as it needs
 
   std::string text;  // as the user wrote it, without blanks
 
@@ -47,13 +49,14 @@ struct RigSpec {
   /// The same model, however it was written.
   friend bool operator==(const RigSpec& a, const RigSpec& b) noexcept {
     return a.family == b.family && a.axes == b.axes && a.pinnedAxes == b.pinnedAxes && a.kernel == b.kernel &&
-           a.fit == b.fit && a.polyTerms == b.polyTerms;
+           a.fit == b.fit && a.polyTerms == b.polyTerms && a.adaptive == b.adaptive;
   }
 };
 
 inline constexpr int kMaxAxisNodes = 64;
 inline constexpr int kMaxShVectors = 512;  // per rig
 inline constexpr int kMaxPolyTerms = 56;   // all monomials up to degree 5
+inline constexpr int kAutoTerms = 12;      // of `auto` without a number
 inline constexpr int kMaxLsqVectors = 64;  // least squares solves a dense K x K system each frame
 
 /// What is out of the limits above in a spec that was not parsed, or nothing.
