@@ -3,6 +3,7 @@
 #pragma once
 
 #include <rigel/light.h>
+#include <rigel/wrap.h>
 
 namespace rigel {
 
@@ -19,12 +20,22 @@ struct NearLight {
   float cosOuter = -1, cosInner = 1;
 };
 
+/// `share` is held within [0, 1]. A light that contributes nothing by light.h (NaN, no direction, no radius, no range)
+/// becomes black; colours are held within kMaxProjectionScale (project.h).
 NearLight nearLight(const DirectionalLight& light, float share = 1) noexcept;
 NearLight nearLight(const PointLight& light, float share = 1) noexcept;
 NearLight nearLight(const SpotLight& light, float share = 1) noexcept;
 NearLight nearLight(const SphereLight& light, float share = 1) noexcept;
 
+/// What the near path needs to know of a wrap: made once a material.
+struct NearWrap {
+  float a = 0;
+  std::array<float, kMaxBands> f{};  // wrapCoefficients
+};
+NearWrap nearWrap(float a) noexcept;
+
 /// share * irradiance at `p`, unit normal `n`, wrap `a`: horizon clipped, the same special cases as exact.h.
+Rgb nearIrradiance(const NearLight& light, Vec3 p, Vec3 n, const NearWrap& wrap) noexcept;
 Rgb nearIrradiance(const NearLight& light, Vec3 p, Vec3 n, float wrap = 0) noexcept;
 
 }  // namespace rigel
