@@ -1,0 +1,136 @@
+#include <rigel/near_far.h>
+
+#include <algorithm>
+#include <cassert>
+#include <functional>
+#include <limits>
+
+namespace rigel {
+namespace {
+
+/// NaN and negative values become 0, infinities `largest`.
+float held(float value, float largest) noexcept { return value > 0 ? std::min(value, largest) : 0.0f; }
+
+/// smoothstep(error/floor - 1), and its limits where the floor is 0.
+float nearWeight(float error, float floor) noexcept {
+  if (!(error > floor)) return 0;
+  if (!(floor > 0)) return 1;
+  const float t = std::min(error / floor - 1, 1.0f);
+  return t * t * (3 - 2 * t);
+}
+
+}  // namespace
+
+void NearFar::reset() noexcept { cut_ = true; }
+
+void NearFar::update(std::span<const float> errors, std::span<const std::uint32_t> ids, float seconds) {
+  const std::size_t slots = slotCount();
+  rank_.resize(errors.size());
+  for (std::size_t i = 0; i < errors.size(); ++i) rank_[i] = held(errors[i], std::numeric_limits<float>::max());
+
+  float floor = held(options_.tolerance, std::numeric_limits<float>::max());
+  wanted_ = rank_;
+  if (slots < wanted_.size()) {
+    const auto next = wanted_.begin() + static_cast<std::ptrdiff_t>(slots);
+    std::nth_element(wanted_.begin(), next, wanted_.end(), std::greater<>());
+    floor = std::max(floor, *next);
+  }
+  for (std::size_t i = 0; i < rank_.size(); ++i) wanted_[i] = nearWeight(rank_[i], floor);
+  advance(ids, seconds);
+}
+
+void NearFar::follow(std::span<const float> weights, std::span<const std::uint32_t> ids, float seconds) {
+  wanted_.resize(weights.size());
+  for (std::size_t i = 0; i < weights.size(); ++i) wanted_[i] = held(weights[i], 1);
+  // Nothing is known of their errors: every light counts as one that was in the rig.
+  rank_.resize(weights.size());
+  for (std::size_t i = 0; i < weights.size(); ++i) rank_[i] = 1 + wanted_[i];
+  advance(ids, seconds);
+}
+
+std::size_t NearFar::slotCount() const noexcept {
+  return static_cast<std::size_t>(std::clamp(options_.slots, 0, kMaxNearLights));
+}
+
+void NearFar::advance(std::span<const std::uint32_t> ids, float seconds) {
+  if (!(seconds > 0 && seconds <= std::numeric_limits<float>::max())) cut_ = true;
+  if (cut_) last_.clear();
+  cut_ = false;
+  listLights(ids);
+  recallWeights();
+
+  const float rate = options_.weightRate;
+  const float step = rate > 0 ? std::min(rate * seconds, 1.0f) : 1.0f;
+  slots_.assign(slotCount(), -1);
+  weights_.assign(wanted_.size(), 0.0f);
+  moveHolders(step);
+  serveNewcomers(step);
+  for (const Known& light : lights_) weights_[light.index] = light.weight;
+  last_.swap(lights_);
+}
+
+void NearFar::listLights(std::span<const std::uint32_t> ids) {
+  assert(ids.empty() || ids.size() == wanted_.size());
+  lights_.resize(wanted_.size());
+  for (std::size_t i = 0; i < lights_.size(); ++i) {
+    lights_[i] = {};
+    lights_[i].id = i < ids.size() ? ids[i] : static_cast<std::uint32_t>(i);
+    lights_[i].index = static_cast<int>(i);
+    lights_[i].counts = rank_[i] > 0;
+  }
+  const auto before = [](const Known& a, const Known& b) { return a.id != b.id ? a.id < b.id : a.index < b.index; };
+  if (!std::is_sorted(lights_.begin(), lights_.end(), before)) std::sort(lights_.begin(), lights_.end(), before);
+}
+
+void NearFar::recallWeights() noexcept {
+  auto old = last_.begin();
+  for (Known& light : lights_) {
+    while (old != last_.end() && old->id < light.id) ++old;
+    if (old == last_.end() || old->id != light.id) continue;
+    light.weight = old->weight;
+    light.slot = old->slot;
+    light.fades = old->counts && light.counts;
+    ++old;
+  }
+}
+
+float NearFar::moved(const Known& light, float step) const noexcept {
+  const float wanted = wanted_[light.index];
+  return light.fades ? light.weight + std::clamp(wanted - light.weight, -step, step) : wanted;
+}
+
+void NearFar::moveHolders(float step) noexcept {
+  for (Known& light : lights_) {
+    if (light.slot >= static_cast<int>(slots_.size())) light.slot = -1;
+    if (light.slot >= 0) light.weight = moved(light, step);
+    if (light.slot < 0 || !(light.weight > 0)) {
+      light.slot = -1;
+      light.weight = 0;
+      continue;
+    }
+    slots_[light.slot] = light.index;
+  }
+}
+
+void NearFar::serveNewcomers(float step) {
+  waiting_.clear();
+  waiting_.reserve(lights_.capacity());
+  for (std::size_t k = 0; k < lights_.size(); ++k)
+    if (lights_[k].slot < 0 && wanted_[lights_[k].index] > 0) waiting_.push_back(static_cast<int>(k));
+  const auto first = [this](int a, int b) {
+    const int i = lights_[a].index, j = lights_[b].index;
+    return rank_[i] != rank_[j] ? rank_[i] > rank_[j] : i < j;
+  };
+  std::sort(waiting_.begin(), waiting_.end(), first);
+
+  auto next = waiting_.begin();
+  for (int slot = 0; slot < static_cast<int>(slots_.size()) && next != waiting_.end(); ++slot) {
+    if (slots_[slot] >= 0) continue;
+    Known& light = lights_[*next++];
+    light.slot = slot;
+    light.weight = moved(light, step);
+    slots_[slot] = light.index;
+  }
+}
+
+}  // namespace rigel
