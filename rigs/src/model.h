@@ -30,6 +30,8 @@ class Rig::Model {
   virtual void basis(Vec3 p, RigBasis& out) const noexcept = 0;
 
   RigSpec spec;
+  RigBox box;                     // of the current pose; kept by Rig
+  std::array<AxisModel, 3> axes;  // of x, y, z; tensor models
   std::vector<int> anchors;
   std::vector<RigSample> samples;
   int functionals = 0;  // sum of 1 + derivatives

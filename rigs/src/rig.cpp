@@ -32,6 +32,7 @@ Result<Rig> Rig::create(const RigSpec& spec, const RigShape& rest) {
   }
   std::vector<Vec3> anchors;
   for (int i : model->anchors) anchors.push_back(rest.surface[i]);
+  model->box = rest.box;
   model->setPose({rest.box, anchors});
   return Rig(std::move(model));
 }
@@ -46,11 +47,14 @@ int Rig::shVectors() const noexcept { return model_->op.rows(); }
 int Rig::projections() const noexcept { return model_->functionals; }
 std::span<const int> Rig::anchors() const noexcept { return model_->anchors; }
 std::span<const RigSample> Rig::samples() const noexcept { return model_->samples; }
+const RigBox& Rig::box() const noexcept { return model_->box; }
+const std::array<AxisModel, 3>& Rig::axes() const noexcept { return model_->axes; }
 double Rig::condition() const noexcept { return model_->condition; }
 void Rig::basis(Vec3 p, RigBasis& out) const noexcept { model_->basis(p, out); }
 
 void Rig::setPose(const RigPose& pose) noexcept {
   assert(pose.anchors.size() == model_->anchors.size());
+  model_->box = pose.box;
   model_->setPose(pose);
 }
 

@@ -31,6 +31,7 @@ Vec3 unit(int axis) noexcept {
 Rig::TensorModel::TensorModel(RigSpec s, const RigShape& rest) : Model(std::move(s)) {
   const std::array<int, 3> order = spec.pinnedAxes ? std::array{0, 1, 2} : axesByExtent(rest.box);
   for (int i = 0; i < 3; ++i) axis_[order[i]] = spec.axes[i];
+  axes = axis_;
   for (int a = 0; a < 3; ++a) {
     stride_[a] = nodes_;
     nodes_ *= axis_[a].nodes;

@@ -73,6 +73,10 @@ class Rig {
   /// Moves samples, operator and basis to a pose. Continuous in the pose. Allocates nothing.
   void setPose(const RigPose& pose) noexcept;
 
+  /// The current pose's box, and what each of its axes x, y, z is modelled with (tensor rigs).
+  const RigBox& box() const noexcept;
+  const std::array<AxisModel, 3>& axes() const noexcept;
+
   /// Positions of the current pose.
   std::span<const RigSample> samples() const noexcept;
 
