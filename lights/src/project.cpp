@@ -109,9 +109,9 @@ void accumulate(const Light& light, Vec3 p, ProjectionWithGradient<B>& out) noex
 }
 
 template <int B, class Light>
-RadianceSH<B> valueOf(const Light& light, Vec3 p) noexcept {
+RadianceSH<B> valueOf(const Light& light, Vec3 p, float footprint) noexcept {
   RadianceSH<B> sh;
-  accumulate<B>(light, p, 0, sh);
+  accumulate<B>(light, p, footprint, sh);
   return sh;
 }
 
@@ -125,22 +125,22 @@ ProjectionWithGradient<B> valueAndGradientOf(const Light& light, Vec3 p) noexcep
 }  // namespace
 
 template <int B>
-RadianceSH<B> project(const DirectionalLight& light, Vec3) noexcept {
+RadianceSH<B> project(const DirectionalLight& light, Vec3, float) noexcept {
   RadianceSH<B> sh;
   accumulate<B>(light, sh);
   return sh;
 }
 template <int B>
-RadianceSH<B> project(const PointLight& light, Vec3 p) noexcept {
-  return valueOf<B>(light, p);
+RadianceSH<B> project(const PointLight& light, Vec3 p, float footprint) noexcept {
+  return valueOf<B>(light, p, footprint);
 }
 template <int B>
-RadianceSH<B> project(const SpotLight& light, Vec3 p) noexcept {
-  return valueOf<B>(light, p);
+RadianceSH<B> project(const SpotLight& light, Vec3 p, float footprint) noexcept {
+  return valueOf<B>(light, p, footprint);
 }
 template <int B>
-RadianceSH<B> project(const SphereLight& light, Vec3 p) noexcept {
-  return valueOf<B>(light, p);
+RadianceSH<B> project(const SphereLight& light, Vec3 p, float footprint) noexcept {
+  return valueOf<B>(light, p, footprint);
 }
 
 template <int B>
@@ -182,8 +182,8 @@ ProjectionWithGradient<B> projectWithGradient(const LightSet& lights, Vec3 p) no
   return out;
 }
 
-#define RIGEL_INSTANTIATE_FOR(B, Light)                           \
-  template RadianceSH<B> project<B>(const Light&, Vec3) noexcept; \
+#define RIGEL_INSTANTIATE_FOR(B, Light)                                  \
+  template RadianceSH<B> project<B>(const Light&, Vec3, float) noexcept; \
   template ProjectionWithGradient<B> projectWithGradient<B>(const Light&, Vec3) noexcept;
 #define RIGEL_INSTANTIATE(B)                                                \
   RIGEL_INSTANTIATE_FOR(B, DirectionalLight)                                \

@@ -17,14 +17,17 @@ namespace rigel {
 inline constexpr float kMaxProjectionScale = 1e32f;
 
 /// SH of one light at `p` (world, metres). No pi, no f_l. B in 2..5. About 50 flops + 6 B^2; no allocation.
+/// `footprint` [m] > 0: p stands for a patch of that radius, not for a point. The light is then taken to be at least
+/// that large, at equal power, so that a light which nearly touches p counts with about what the patch receives on
+/// average and not with the peak under it.
 template <int B>
-RadianceSH<B> project(const DirectionalLight& light, Vec3 p) noexcept;
+RadianceSH<B> project(const DirectionalLight& light, Vec3 p, float footprint = 0) noexcept;
 template <int B>
-RadianceSH<B> project(const PointLight& light, Vec3 p) noexcept;
+RadianceSH<B> project(const PointLight& light, Vec3 p, float footprint = 0) noexcept;
 template <int B>
-RadianceSH<B> project(const SpotLight& light, Vec3 p) noexcept;
+RadianceSH<B> project(const SpotLight& light, Vec3 p, float footprint = 0) noexcept;
 template <int B>
-RadianceSH<B> project(const SphereLight& light, Vec3 p) noexcept;
+RadianceSH<B> project(const SphereLight& light, Vec3 p, float footprint = 0) noexcept;
 
 /// SH and its derivative by p. Range window and spot cone enter by the product rule. The true derivative is unbounded
 /// at a sphere's surface (1/c): c is held >= kMinGradientCosine there.
@@ -44,9 +47,7 @@ ProjectionWithGradient<B> projectWithGradient(const SpotLight& light, Vec3 p) no
 template <int B>
 ProjectionWithGradient<B> projectWithGradient(const SphereLight& light, Vec3 p) noexcept;
 
-/// Sum over all lights of the set. `footprint` [m] > 0: p stands for a patch of that radius, not for a point. Each
-/// light is then taken to be at least that large, at equal power, so that a light which nearly touches p counts with
-/// about what the patch receives on average and not with the peak under it.
+/// Sum over all lights of the set.
 template <int B>
 RadianceSH<B> project(const LightSet& lights, Vec3 p, float footprint = 0) noexcept;
 template <int B>

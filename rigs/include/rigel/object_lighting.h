@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 namespace rigel {
 
@@ -29,10 +30,10 @@ struct LightingTarget {
 
 /// Modelled time [ns] of shading one point; calibrated, so that choices depend on no clock.
 struct CostModel {
-  float base = 30;      // normal's SH basis and convolution
-  float vector = 3.5f;  // one more SH vector of the rig
-  float nearLight = 25;   // one near light
-  float highBand = 9;   // the constant high band
+  float base = 30;       // normal's SH basis and convolution
+  float vector = 3.5f;   // one more SH vector of the rig
+  float nearLight = 25;  // one near light
+  float highBand = 9;    // the constant high band
 };
 
 struct LightingOptions {
@@ -99,6 +100,13 @@ class ObjectLighting {
   std::optional<float> spatialEstimate() const noexcept;
   std::optional<float> totalEstimate() const noexcept;
   float modelledNanoseconds() const noexcept;  // per point, by the cost model
+
+  /// The part of the light beyond the rig's bands that is the same everywhere on the object: one band, or none (0).
+  struct HighBand {
+    int band = 0;
+    std::array<Rgb, 2 * kMaxBands - 1> c{};
+  };
+  const HighBand& highBand() const noexcept;
 
   /// Rig and near lights at a world point with unit normal; the rig's part is not clamped.
   struct Parts {

@@ -1,0 +1,46 @@
+// Least squares in a nested family: the first J functions, fitted alone, have the same coefficients for every J.
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace rigel {
+
+/// Orthonormal functions over weighted points, from given functions by Gram-Schmidt in their order. What a light adds
+/// to each, and what it leaves beyond all of them, are then plain rows that add up from light to light. A function that
+/// its predecessors nearly span is faded out (`damping`), not dropped: nothing jumps as a pose passes through such a
+/// case.
+class NestedFit {
+ public:
+  NestedFit(int points, int functions);
+
+  int points() const noexcept { return points_; }
+  int functions() const noexcept { return functions_; }
+
+  /// phi_k of one point, to be written before `factor`.
+  std::span<double> row(int point) noexcept;
+
+  /// `shares` of the surface that the points stand for, sum 1. Allocates nothing.
+  void factor(std::span<const float> shares) noexcept;
+
+  /// Splits values at the points (`width` floats a point, already times sqrt(share)) into the coefficients of the
+  /// orthonormal functions (functions x width) and what is left (points x width).
+  void analyse(const float* values, int width, float* coefficients, float* residuals) const noexcept;
+
+  /// Coefficients of the first `count` given functions for orthonormal coefficients times `weights`. `out` has
+  /// count x width floats.
+  void synthesise(const float* coefficients, int width, std::span<const float> weights, float* out) const noexcept;
+
+  /// In [0, 1]; multiplies the coefficient of each orthonormal function in `synthesise`.
+  std::span<const float> damping() const noexcept { return damping_; }
+
+ private:
+  int points_, functions_;
+  std::vector<double> basis_;       // points x functions, row major: phi, then orthonormal times sqrt(share)
+  std::vector<double> toGiven_;     // functions x functions: orthonormal j is sum_k toGiven[k][j] phi_k, upper triangle
+  std::vector<float> orthonormal_;  // basis_ in float, function major: functions x points
+  std::vector<float> given_;        // toGiven_ times damping, in float
+  std::vector<float> damping_;
+};
+
+}  // namespace rigel

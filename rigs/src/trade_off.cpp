@@ -1,0 +1,258 @@
+#include "trade_off.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace rigel {
+namespace {
+
+constexpr int kReferenceTerms = 6;  // a light's error is judged against a rig of this many coefficients
+constexpr int kMaxLevels = 48;
+constexpr float kLevelStep = 0.5f;  // log2
+// A coefficient counts fully where the error without it is 1.3 times the target, not at all below 0.7 times.
+constexpr float kFadeFrom = 0.7f, kFadeWidth = 0.6f;
+// Costs within this share of the least one blend.
+constexpr float kSoftness = 0.04f;
+constexpr float kUnfit = 2000;  // ns, on top of a choice that misses its target by its own size or more
+
+float smoothstep(float x) noexcept {
+  x = std::clamp(x, 0.0f, 1.0f);
+  return x * x * (3 - 2 * x);
+}
+
+/// 1 for anything that is evaluated at all, but continuous at 0.
+float active(float weight) noexcept { return std::min(1.0f, 20 * weight); }
+
+float energy(std::span<const float> rows, std::span<const float> weight) noexcept {
+  float sum = 0;
+  const std::size_t width = weight.size();
+  for (std::size_t r = 0; r < rows.size(); r += width)
+    for (std::size_t i = 0; i < width; ++i) sum += weight[i] * rows[r + i] * rows[r + i];
+  return sum;
+}
+
+float squares(std::span<const float> values) noexcept {
+  float sum = 0;
+  for (float v : values) sum += v * v;
+  return sum;
+}
+
+/// Prediction error over residual for a fit of `used` functions to `points` points: generalised cross-validation.
+float inflation(float points, float used) noexcept {
+  const float ratio = points / std::max(points - used, 0.25f * points);
+  return ratio * ratio;
+}
+
+}  // namespace
+
+void LightRows::resize(int lightCount) {
+  lights = lightCount;
+  fields.resize((static_cast<std::size_t>(lights) + 1) * block());
+  truncation.resize((static_cast<std::size_t>(lights) + 1) * truncated);
+  fade.resize(lights);
+}
+
+void TradeOff::farError(const LightRows& rows, std::span<const float> damping, std::span<const float> weights,
+                        FarError& out) const {
+  const std::size_t block = rows.block();
+  const auto sum = [&](const std::vector<float>& from, std::size_t size, std::vector<float>& into) {
+    into.assign(from.end() - static_cast<std::ptrdiff_t>(size), from.end());
+    for (int i = 0; i < rows.lights; ++i) {
+      const float share = 1 - weights[i];
+      if (share == 0) continue;
+      const float* add = from.data() + static_cast<std::size_t>(i) * size;
+      for (std::size_t j = 0; j < size; ++j) into[j] += share * add[j];
+    }
+  };
+  sum(rows.fields, block, out.field);
+  sum(rows.truncation, rows.truncated, out.truncated);
+
+  const std::size_t width = rows.width;
+  const auto row = [&](int k) { return std::span(out.field).subspan(static_cast<std::size_t>(k) * width, width); };
+  float rest = energy(std::span(out.field).subspan(rows.nested * width), rows.weight);
+  out.beyond.resize(rows.nested + 1);
+  const auto points = static_cast<float>(rows.residuals);
+  out.beyond[rows.nested] = rows.nested > 0 ? rest : rest * rows.inflation;
+  for (int k = rows.nested - 1; k >= 0; --k) out.beyond[k] = rest += energy(row(k), rows.weight);
+  if (rows.nested > 0) {
+    for (int k = 0; k < rows.nested; ++k) {
+      const float undamped = 1 - damping[k];
+      // What damping keeps out of coefficient k stays wrong when it is kept.
+      const float kept = undamped * undamped * energy(row(k), rows.weight);
+      for (int j = k + 1; j <= rows.nested; ++j) out.beyond[j] += kept;
+    }
+    for (int j = 0; j <= rows.nested; ++j) out.beyond[j] *= inflation(points, static_cast<float>(j));
+    for (int j = 1; j <= rows.nested; ++j) out.beyond[j] = std::min(out.beyond[j], out.beyond[j - 1]);
+  }
+
+  out.truncation = rows.tail * squares(out.truncated);
+  out.truncationHigh = out.truncation;
+  if (rows.truncatedRows > 0) {
+    const int perRow = rows.truncated / rows.truncatedRows;
+    float mean = 0;
+    for (int i = 0; i < perRow; ++i) {
+      float value = 0;
+      for (int s = 0; s < rows.truncatedRows; ++s) value += out.truncated[s * perRow + i];
+      mean += value * value / static_cast<float>(rows.truncatedRows);
+    }
+    out.truncationHigh = std::max(0.0f, out.truncation - mean);
+  }
+}
+
+void TradeOff::build(const LightRows& rows, std::span<const float> damping, int slots, bool total) {
+  const int reference = std::min(kReferenceTerms, rows.nested);
+  error_.resize(rows.lights);
+  for (int i = 0; i < rows.lights; ++i) {
+    const std::span<const float> field(rows.fields.data() + static_cast<std::size_t>(i) * rows.block(), rows.block());
+    float square = energy(field.subspan(static_cast<std::size_t>(reference) * rows.width), rows.weight);
+    if (total)
+      square += rows.tail * squares({rows.truncation.data() + static_cast<std::size_t>(i) * rows.truncated,
+                                     static_cast<std::size_t>(rows.truncated)});
+    error_[i] = std::sqrt(square) * rows.fade[i];
+  }
+  sorted_.assign(error_.begin(), error_.end());
+  std::ranges::sort(sorted_, std::greater<>());
+  floor_ = slots < rows.lights ? sorted_[slots] : 0;
+
+  const float largest = rows.lights > 0 && slots > 0 ? sorted_[0] : 0;
+  levels_.resize(kMaxLevels);
+  weights_.resize(rows.lights);
+  levelCount_ = 0;
+  while (levelCount_ < kMaxLevels) {
+    Level& level = levels_[levelCount_];
+    level.log2 = (largest > 0 ? std::log2(largest) : 0) - kLevelStep * static_cast<float>(levelCount_);
+    ++levelCount_;
+    weightsAt(level.log2, weights_);
+    farError(rows, damping, weights_, scratch_);
+    level.beyond = scratch_.beyond;
+    level.truncation = scratch_.truncation;
+    level.truncationHigh = scratch_.truncationHigh;
+    level.nearLights = 0;
+    bool more = false;
+    for (int i = 0; i < rows.lights; ++i) {
+      level.nearLights += active(weights_[i]);
+      more = more || (weights_[i] < 1 && error_[i] > 2 * floor_);
+    }
+    if (!more) break;
+  }
+}
+
+void TradeOff::weightsAt(float level, std::span<float> weights) const {
+  const float threshold = std::max(std::exp2(level), floor_);
+  for (std::size_t i = 0; i < error_.size(); ++i)
+    weights[i] = error_[i] > 0 ? (threshold > 0 ? smoothstep(error_[i] / threshold - 1) : 1.0f) : 0.0f;
+}
+
+float TradeOff::nanoseconds(const CostModel& cost, float vectors, float nearLights, float highBand) {
+  return cost.base * std::min(1.0f, vectors) + cost.vector * vectors + cost.nearLight * nearLights +
+         cost.highBand * highBand;
+}
+
+TradeOff::Choice TradeOff::choose(const Request& request) const {
+  const bool budget = request.kind == LightingTarget::Kind::budget;
+  const bool total = request.kind == LightingTarget::Kind::totalError;
+  struct Option {
+    float objective, spatial, cap, nanoseconds;
+  };
+  // What one level costs, with and without the high band; for a budget, how wrong it is.
+  const auto look = [&](const Level& level, bool high) {
+    Option option{0, request.value, static_cast<float>(level.beyond.size()) - 1, 0};
+    const float truncation = high ? level.truncationHigh : level.truncation;
+    const auto most = level.beyond.size() - 1;
+    if (budget) {
+      const float spare = request.value - nanoseconds(request.cost, 0, level.nearLights, high ? 1 : 0);
+      float vectors = (spare - request.cost.base) / request.cost.vector;
+      if (request.vectors > 0) vectors = static_cast<float>(request.vectors);
+      vectors = std::clamp(vectors, 0.0f, static_cast<float>(most));
+      const auto whole = static_cast<std::size_t>(vectors);
+      const float part = vectors - static_cast<float>(whole);
+      const float spatial =
+          whole < most ? std::lerp(level.beyond[whole], level.beyond[whole + 1], part) : level.beyond[most];
+      option.spatial = 0;
+      option.cap = vectors;
+      option.objective = std::sqrt(spatial + truncation);
+      option.nanoseconds =
+          nanoseconds(request.cost, request.vectors > 0 ? static_cast<float>(request.vectors) : vectors,
+                      level.nearLights, high ? 1 : 0);
+      if (option.nanoseconds > request.value) option.objective *= 1 + option.nanoseconds - request.value;
+      return option;
+    }
+    float missed = 0;
+    if (total) {
+      const float room = request.value * request.value - truncation;
+      const float least = 0.04f * request.value * request.value;
+      option.spatial = std::sqrt(std::max(room, least));
+      missed = std::max(0.0f, std::sqrt(truncation + least) / request.value - 1);
+    }
+    float vectors = static_cast<float>(request.vectors);
+    if (request.vectors == 0) {
+      for (std::size_t j = 0; j < most; ++j)
+        vectors += active(smoothstep((std::sqrt(level.beyond[j]) / option.spatial - kFadeFrom) / kFadeWidth));
+    }
+    missed = std::max(missed, std::sqrt(level.beyond[most]) / option.spatial - 1);
+    option.nanoseconds = nanoseconds(request.cost, vectors, level.nearLights, high ? 1 : 0);
+    option.objective = option.nanoseconds + kUnfit * std::clamp(missed, 0.0f, 1.0f);
+    return option;
+  };
+
+  const int variants = request.highBand ? 2 : 1;
+  costs_.clear();
+  float least = std::numeric_limits<float>::infinity();
+  for (std::size_t l = 0; l < levelCount_; ++l)
+    for (int v = 0; v < variants; ++v) {
+      costs_.push_back(look(levels_[l], v == 1).objective);
+      least = std::min(least, costs_.back());
+    }
+  Choice choice;
+  float sum = 0;
+  const float softness = kSoftness * (budget ? least : least + 10);
+  for (std::size_t i = 0; i < costs_.size(); ++i) {
+    const float p = softness > 0 ? std::exp((least - costs_[i]) / softness) : static_cast<float>(costs_[i] == least);
+    if (p < 1e-6f) continue;
+    const Level& level = levels_[i / variants];
+    const Option option = look(level, i % variants == 1);
+    sum += p;
+    choice.level += p * level.log2;
+    choice.highBand += p * static_cast<float>(i % variants);
+    choice.spatialError += p * option.spatial;
+    choice.vectorCap += p * option.cap;
+    choice.nanoseconds += p * option.nanoseconds;
+  }
+  if (sum > 0) {
+    choice.level /= sum;
+    choice.highBand = smoothstep(2 * choice.highBand / sum - 0.5f);
+    choice.spatialError /= sum;
+    choice.vectorCap /= sum;
+    choice.nanoseconds /= sum;
+  }
+  return choice;
+}
+
+int TradeOff::coefficientWeights(const FarError& error, const Choice& choice, std::span<float> weights) {
+  int used = 0;
+  for (std::size_t j = 0; j < weights.size(); ++j) {
+    const float without = std::sqrt(error.beyond[j]);
+    const float wanted = choice.spatialError > 0 ? smoothstep((without / choice.spatialError - kFadeFrom) / kFadeWidth)
+                                                 : static_cast<float>(without > 0);
+    weights[j] = std::min(wanted, smoothstep(choice.vectorCap - static_cast<float>(j)));
+    if (weights[j] > 0) used = static_cast<int>(j) + 1;
+  }
+  return used;
+}
+
+float TradeOff::spatialSquare(const LightRows& rows, const FarError& error, std::span<const float> damping,
+                              std::span<const float> weights) {
+  const std::size_t width = rows.width;
+  float sum = energy(std::span(error.field).subspan(rows.nested * width), rows.weight);
+  float used = 0;
+  for (int k = 0; k < rows.nested; ++k) {
+    const float lost = 1 - weights[k] * damping[k];
+    sum += lost * lost * energy(std::span(error.field).subspan(k * width, width), rows.weight);
+    used += weights[k];
+  }
+  return sum * (rows.nested > 0 ? inflation(static_cast<float>(rows.residuals), used) : rows.inflation);
+}
+
+}  // namespace rigel

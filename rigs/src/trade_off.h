@@ -1,0 +1,94 @@
+// Error against cost of one object in one frame: how many near lights, how many SH vectors, with or without the high
+// band. The choice is continuous in its inputs: it is an average over a ladder of levels, weighted towards the
+// cheapest.
+#pragma once
+
+#include <rigel/object_lighting.h>
+
+#include <span>
+#include <vector>
+
+namespace rigel {
+
+/// What each light adds to the error of the object's rig, as rows that sum from light to light. Block `lights` is what
+/// stays in the rig whatever is chosen. All rows are in sample space, scaled so that a sum of squares, each float times
+/// its `weight`, is a mean-square irradiance [W/m2]^2 over the surface, the sphere of normals and the channels.
+struct LightRows {
+  int lights = 0;
+  int nested = 0;     // leading rows: coefficients of nested functions (`auto` rigs)
+  int residuals = 0;  // rows beyond them
+  int width = 0;
+  int truncated = 0;              // floats of `truncation` a block
+  int truncatedRows = 0;          // points they are taken at, of equal share
+  std::vector<float> fields;      // (lights + 1) x (nested + residuals) x width
+  std::vector<float> truncation;  // (lights + 1) x truncated: what the SH bands leave out
+  std::vector<float> weight;      // width: squared factor from SH to irradiance
+  std::vector<float> fade;        // per light: 0 for one that is about to leave the candidates, 1 for all others
+  float tail = 1;                 // all truncated energy over that of `truncation`
+  float inflation = 1;            // fixed rigs: mean-square error at other points over that at the rows' points
+
+  int rows() const noexcept { return nested + residuals; }
+  std::size_t block() const noexcept { return static_cast<std::size_t>(rows()) * width; }
+  void resize(int lightCount);
+};
+
+/// Mean-square errors [W/m2]^2 of the lights' rows weighted by 1 - w.
+struct FarError {
+  std::vector<float> beyond;  // per J = 0..nested: spatial, where J nested coefficients are kept
+  float truncation = 0;       // of the SH bands
+  float truncationHigh = 0;   // with the constant high band
+  std::vector<float> field;   // the weighted rows themselves
+  std::vector<float> truncated;
+};
+
+class TradeOff {
+ public:
+  struct Request {
+    LightingTarget::Kind kind = LightingTarget::Kind::spatialError;
+    float value = 0;        // error [W/m2], or nanoseconds a point
+    int slots = 0;          // near lights at most
+    int vectors = 0;        // of a fixed rig; 0: nested
+    bool highBand = false;  // available
+    CostModel cost;
+  };
+  struct Choice {
+    float level = 0;         // log2 of the error [W/m2] at which a light becomes near
+    float highBand = 0;      // share of it
+    float spatialError = 0;  // [W/m2] that nested coefficients aim at
+    float vectorCap = 0;     // nested coefficients at most
+    float nanoseconds = 0;   // modelled, a point
+  };
+
+  /// `damping`: NestedFit's.
+  void build(const LightRows& rows, std::span<const float> damping, int slots, bool total);
+  Choice choose(const Request& request) const;
+  /// w of each light at a level.
+  void weightsAt(float level, std::span<float> weights) const;
+
+  /// Errors of the far part for given weights.
+  void farError(const LightRows& rows, std::span<const float> damping, std::span<const float> weights,
+                FarError& out) const;
+  /// Weights in [0, 1], non-increasing, of the nested coefficients. Returns how many are not 0.
+  static int coefficientWeights(const FarError& error, const Choice& choice, std::span<float> weights);
+  /// Mean-square spatial error with these weights.
+  static float spatialSquare(const LightRows& rows, const FarError& error, std::span<const float> damping,
+                             std::span<const float> weights);
+  static float nanoseconds(const CostModel& cost, float vectors, float nearLights, float highBand);
+
+ private:
+  struct Level {
+    float log2 = 0;
+    float nearLights = 0;
+    float truncation = 0, truncationHigh = 0;
+    std::vector<float> beyond;
+  };
+  std::vector<float> error_;  // per light: RMS [W/m2] of leaving it in the rig
+  float floor_ = 0;           // error of the light ranked slots + 1
+  std::vector<Level> levels_;
+  std::size_t levelCount_ = 0;
+  FarError scratch_;
+  std::vector<float> sorted_, weights_;
+  mutable std::vector<float> costs_;
+};
+
+}  // namespace rigel
