@@ -116,6 +116,13 @@ TEST_F(BadInput, Options) {
   expectRefused("sample:touch", 2, "--exposure", {"--exposure", "nan"});
   expectRefused("sample:touch", 2, "--exposure", {"--exposure", "1e38"});
   expectRefused("sample:touch", 2, "--wrap", {"--wrap", "nan"});
+  expectRefused("sample:touch", 2, "--near x: expected auto", {"--near", "x"});
+  expectRefused("sample:touch", 2, "--near", {"--near", "65"});
+  expectRefused("sample:touch", 2, "--rate", {"--rate", "0"});
+  expectRefused("sample:touch", 2, "--error 0.05: no rig here chooses", {"--error", "0.05"});
+  expectRefused("sample:touch", 2, "no rig here chooses", {"--budget-us", "100", "--near", "4"});
+  expectRefused("sample:touch", 2, "--error 5: must be", {"--rig", "auto", "--error", "5"});
+  expectRefused("sample:touch", 2, "only one target", {"--rig", "auto", "--error", "0.05", "--budget-us", "100"});
   expectRefused("sample:touch", 1, "past the end", {"--frames", "100000:"});
   expectRefused("sample:touch", 1, "no clip 'nope'", {"--clip", "nope"});
   expectRefused("sample:touch", 1, "none.glb", {"--lights", folder_ / "none.glb"});

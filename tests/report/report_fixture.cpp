@@ -19,15 +19,17 @@ using tools::SceneReport;
 
 struct MadeUpRig {
   const char* spec;
-  int shVectors, projections;
+  double shVectors;
+  int projections;
   double spatial, total, fit, shade;
+  double nearLights = 0;
 };
 
 constexpr MadeUpRig kRigs[] = {
     {"constant", 1, 1, 0.360, 0.371, 0.9, 4.1},           {"gradient", 4, 4, 0.158, 0.176, 3.4, 7.9},
     {"mixed:l3,g,c", 6, 12, 0.194, 0.208, 9.8, 13.0},     {"lattice:3x2x2", 12, 12, 0.097, 0.121, 9.1, 31.5},
     {"lattice:8x4x2", 64, 64, 0.045, 0.0801, 49.0, 33.2}, {"poly:6", 6, 12, 0.092, 0.117, 10.4, 11.8},
-    {"poly:12", 12, 24, 0.047, 0.0815, 22.3, 21.9},
+    {"poly:12", 12, 24, 0.047, 0.0815, 22.3, 21.9},       {"auto", 5.5, 24, 0.041, 0.0611, 48.0, 43.5, 1.25},
 };
 
 constexpr double kHeatMapMax = 0.5;
@@ -76,7 +78,44 @@ Picture picture(const std::string& label, int frame, double time, double rms) {
   return result;
 }
 
-ObjectReport object(const std::string& name, int frames, double scale) {
+/// Weight of a lamp that is near around its own moment.
+float lampWeight(double time, double moment) {
+  const double x = std::clamp(2.0 - 4 * std::abs(time - moment), 0.0, 1.0);
+  return static_cast<float>(x * x * (3 - 2 * x));
+}
+
+/// Three lights that pass one after another, one that is culled at times, and many small ones.
+std::vector<tools::LightUse> lightUses(const std::vector<tools::LightRow>& rows, int frames, bool choosing) {
+  std::vector<tools::LightUse> uses;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    tools::LightUse& use = uses.emplace_back();
+    use.name = rows[i].name;
+    use.type = rows[i].type;
+    const bool passes = i < 3;
+    use.share = passes ? 0.2 : 0.4 / static_cast<double>(rows.size() - 3);
+    for (int f = 0; f < frames; ++f) {
+      const double time = f / 30.0;
+      const float w = passes && choosing ? lampWeight(time, 0.4 + 0.6 * static_cast<double>(i)) : 0;
+      use.roles.push_back(w == 1                      ? LightRole::near
+                          : w > 0                     ? LightRole::blended
+                          : i % 5 == 4 && f % 20 > 12 ? LightRole::culled
+                                                      : LightRole::far);
+      use.weights.push_back(w);
+      const double size = passes
+                              ? 0.02 + 0.3 * static_cast<double>(lampWeight(time, 0.4 + 0.6 * static_cast<double>(i)))
+                              : 0.02 / static_cast<double>(i);
+      use.bounds.push_back(static_cast<float>(size));
+      use.bound = std::max(use.bound, size);
+    }
+    if (!passes || !choosing) use.weights.clear();
+    if (i > 12 || !choosing) use.bounds.clear();
+    use.why = passes && choosing ? "near in frames 12-18: its bound reaches 32.0 % of the mean light (target 5.00 %)"
+                                 : "far: its bound reaches no more than 0.66 % of the mean light (target 5.00 %)";
+  }
+  return uses;
+}
+
+ObjectReport object(const std::string& name, int frames, double scale, const std::vector<tools::LightRow>& lights) {
   ObjectReport result;
   result.name = name;
   result.triangles = 18432;
@@ -97,13 +136,30 @@ ObjectReport object(const std::string& name, int frames, double scale) {
     rig.total = {scale * made.total, 7 * scale * made.total};
     rig.fitMicroseconds = made.fit;
     rig.shadeNanosecondsPerPoint = made.shade;
-    rig.bytes = static_cast<std::size_t>(made.shVectors) * 112;
+    rig.bytes = static_cast<std::size_t>(std::ceil(made.shVectors)) * 112;
+    rig.nearLights = made.nearLights;
+    rig.estimate = 1.1 * rig.spatial.rms;
+    rig.totalEstimate = 1.1 * rig.total.rms;
+    rig.modelledNanoseconds = 30 + 3.5 * made.shVectors + 25 * made.nearLights;
+    const bool choosing = made.nearLights > 0;
+    if (choosing) rig.asked = "--near auto --error 0.05";
+    rig.lights = lightUses(lights, frames, choosing);
     if (frames > 1) rig.maxJump = 0.4 * made.spatial;
     rig.condition = made.spec[0] == 'p' ? 14.2 : 1;
     rig.stages = {{"project", 0.8 * made.fit}, {"fit", 0.2 * made.fit}};
     for (int i = 0; i < frames; ++i) {
       const double swing = 0.35 + 1.3 * wave(i / 30.0, made.shVectors * 0.1);
-      rig.frames.push_back({i / 30.0, rig.spatial.rms * swing, rig.total.rms * swing});
+      tools::RigFrame& frame = rig.frames.emplace_back();
+      frame.time = i / 30.0;
+      frame.spatialRms = rig.spatial.rms * swing;
+      frame.totalRms = rig.total.rms * swing;
+      frame.estimate = frame.spatialRms * (0.95 + 0.3 * wave(frame.time, 2));
+      frame.totalEstimate = frame.totalRms * 1.1;
+      frame.shVectors = static_cast<int>(choosing ? 3 + 5 * wave(frame.time, 1) : made.shVectors);
+      frame.modelledNanoseconds = rig.modelledNanoseconds;
+      for (std::size_t l = 0; l < rig.lights.size(); ++l)
+        if (choosing && !rig.lights[l].weights.empty() && rig.lights[l].weights[static_cast<std::size_t>(i)] > 0)
+          frame.near.push_back(static_cast<int>(l));
     }
     result.rigs.push_back(rig);
   }
@@ -132,7 +188,8 @@ Report makeReport() {
   street.lights = {{"lamp 1", "sphere", "L 900 860 700 W/(m2 sr), radius 0.12 m"},
                    {"headlight left", "spot", "I 400 400 380 W/sr, 20 to 35 degrees"},
                    {"neon", "point", "I 40 40 36 W/sr, radius 0.05 m"}};
-  street.objects = {object("car", 61, 1.0)};
+  for (int i = 3; i < 60; ++i) street.lights.push_back({"window " + std::to_string(i), "point", "I 1 1 1 W/sr"});
+  street.objects = {object("car", 61, 1.0, street.lights)};
 
   SceneReport still;
   still.scene = "characters/soldier1.gltf";
@@ -140,7 +197,7 @@ Report makeReport() {
   still.frames = 1;
   still.seconds = 2.1;
   still.effects = {"point", "wrap"};
-  still.objects = {object("soldier", 1, 0.55)};
+  still.objects = {object("soldier", 1, 0.55, {})};
 
   report.scenes = {street, still};
   return report;
@@ -178,7 +235,18 @@ Report hostileReport() {
   report.commandLine = kHostileMarkup;
   // No two of its frames follow on each other.
   for (tools::TruthFrame& frame : scene.objects.front().truth) frame.movement.reset();
-  for (RigReport& rig : scene.objects.front().rigs) rig.maxJump.reset();
+  for (RigReport& rig : scene.objects.front().rigs) {
+    rig.maxJump.reset();
+    if (!rig.lights.empty()) rig.lights.front().name = rig.lights.front().why = kHostileMarkup;
+  }
+  // Estimates that were not asked for.
+  RigReport& first = scene.objects.front().rigs.front();
+  first.estimate.reset();
+  first.totalEstimate.reset();
+  for (tools::RigFrame& frame : first.frames) {
+    frame.estimate.reset();
+    frame.totalEstimate.reset();
+  }
   return report;
 }
 

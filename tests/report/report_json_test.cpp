@@ -32,17 +32,18 @@ TEST(ReportJson, HasTheNamesOfTheDesign) {
   ASSERT_EQ(json["objects"].size(), 2u);
   for (const Json& object : json["objects"]) {
     EXPECT_THAT(keys(object), testing::IsSupersetOf({"name", "triangles", "rigs", "scene"}));
-    ASSERT_EQ(object["rigs"].size(), 7u);
+    ASSERT_EQ(object["rigs"].size(), 8u);
     for (const Json& rig : object["rigs"]) {
       EXPECT_THAT(keys(rig), testing::IsSupersetOf({"spec", "sh_vectors", "projections", "near_lights", "spatial",
-                                                    "total", "fit_us", "shade_ns_per_point", "bytes", "max_jump",
+                                                    "total", "fit_us", "shade_ns_per_point", "bytes", "max_jump", "estimate",
                                                     "stages", "frames", "lights"}));
       EXPECT_THAT(keys(rig["spatial"]), testing::ElementsAre("rms", "max"));
       EXPECT_THAT(keys(rig["total"]), testing::ElementsAre("rms", "max"));
       ASSERT_FALSE(rig["frames"].empty());
       for (const Json& frame : rig["frames"])
-        EXPECT_THAT(keys(frame), testing::ElementsAre("time", "spatial_rms", "total_rms", "sh_vectors", "near"));
-      for (const Json& light : rig["lights"]) EXPECT_THAT(keys(light), testing::IsSupersetOf({"name", "type"}));
+        EXPECT_THAT(keys(frame), testing::IsSupersetOf({"time", "spatial_rms", "total_rms", "estimate", "sh_vectors", "near"}));
+      for (const Json& light : rig["lights"]) EXPECT_THAT(keys(light), testing::IsSupersetOf({"name", "type", "bound", "share", "near_frames", "blend_frames",
+                                                        "far_frames", "culled_frames", "why"}));
     }
   }
 }
@@ -76,7 +77,7 @@ TEST(ReportJson, FlattensScenesAndNamesThem) {
   EXPECT_EQ(json["objects"][1]["scene"], "characters/soldier1.gltf");
   EXPECT_EQ(json["objects"][1]["scene_index"], 1);
   EXPECT_EQ(json["effects"], Json({"point", "spot", "sphere", "wrap"})) << "each once, in order of appearance";
-  EXPECT_EQ(json["scenes"][0]["lights"].size(), 3u);
+  EXPECT_EQ(json["scenes"][0]["lights"].size(), 60u);
 }
 
 TEST(ReportJson, LeavesOutWhatWasNotWritten) {

@@ -38,8 +38,8 @@ TEST(ReportText, ColumnsLineUp) {
   EXPECT_THAT(text[0], HasSubstr("car in sample:street, clip drive: 18432 triangles, 4096 surface samples, 61 frames"));
   EXPECT_THAT(text[1], HasSubstr("SH vectors"));
   std::size_t rows = 0;
-  for (std::size_t i = 2; i < 9; ++i, ++rows) EXPECT_EQ(cells(text[i]), cells(text[1])) << text[i];
-  EXPECT_EQ(rows, 7u);
+  for (std::size_t i = 2; i < 10; ++i, ++rows) EXPECT_EQ(cells(text[i]), cells(text[1])) << text[i];
+  EXPECT_EQ(rows, 8u);
   // Figures end where their header ends.
   const std::size_t end = text[1].find("SH vectors") + std::string("SH vectors").size();
   EXPECT_EQ(text[2].substr(end - 2, 2), " 1") << text[2];
@@ -62,7 +62,12 @@ TEST(ReportText, AJumpThatWasNotMeasuredIsADash) {
 }
 
 TEST(ReportText, MarksTheRigOfTheVerdict) {
-  const std::string text = tools::reportText(madeUpReport());
+  tools::Report report = madeUpReport();
+  EXPECT_THAT(tools::reportText(report), HasSubstr("  > auto "));
+  EXPECT_THAT(tools::reportText(report),
+              HasSubstr("(5.5 SH vectors and 1.2 near lights, 80 ns a point by the cost model)"));
+  for (tools::SceneReport& scene : report.scenes) scene.objects[0].rigs.pop_back();
+  const std::string text = tools::reportText(report);
   EXPECT_THAT(text, HasSubstr("  > poly:12 "));
   EXPECT_THAT(text,
               HasSubstr("poly:12 is the cheapest rig (12 SH vectors) within 10 % of the least error: total RMS 8.15 %, "
@@ -111,6 +116,18 @@ TEST(Verdict, CheapestWithinATenthOfTheBest) {
   EXPECT_EQ(chosen(objectWith({{"a", 6, 12, 0.100}, {"b", 6, 6, 0.105}})), "b") << "same size: fewer projections";
   EXPECT_EQ(chosen(objectWith({{"a", 6, 6, 0.105}, {"b", 6, 6, 0.100}})), "b") << "same cost: less error";
   EXPECT_EQ(chosen(objectWith({{"a", 6, 6, 0.0}, {"b", 1, 1, 0.0}})), "b") << "no error at all";
+}
+
+TEST(Verdict, WithNearLightsTheModelledTimeCounts) {
+  tools::ObjectReport object = objectWith({{"a", 4, 8, 0.100}, {"b", 12, 24, 0.100}});
+  object.rigs[0].nearLights = 3;
+  object.rigs[0].modelledNanoseconds = 119;
+  object.rigs[1].modelledNanoseconds = 72;
+  const auto verdict = tools::verdictOf(object);
+  EXPECT_EQ(object.rigs[verdict->chosen].spec, "b") << "twelve vectors cost less than four and three near lights";
+  EXPECT_THAT(verdict->sentence,
+              HasSubstr("b is the cheapest rig (12 SH vectors, 72 ns a point by the cost model) within 10 %"));
+  EXPECT_THAT(verdict->sentence, HasSubstr("for a (4 SH vectors and 3 near lights, 119 ns a point by the cost model)"));
 }
 
 TEST(Verdict, AdvisesNoRigThatIsPlainlyWrong) {

@@ -1,7 +1,7 @@
 // What a run is asked to do: the parser of --frames, and values that no run can serve.
 #include "report/run_options.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <cmath>
 #include <limits>
@@ -26,6 +26,44 @@ TEST(RunOptions, FrameRanges) {
   EXPECT_EQ(range->step, 2);
   for (const char* bad : {"", "a", "1:2:3:4", "-1", "5:4", "0::0", "0:1:-2", "1:99999999999", "0x3", "1 :2"})
     EXPECT_FALSE(parseFrameRange(bad)) << bad;
+}
+
+TEST(RunOptions, NearIsANumberOrAuto) {
+  EXPECT_TRUE(parseNear("auto")->automatic);
+  EXPECT_EQ(parseNear("0")->slots, 0);
+  EXPECT_EQ(parseNear("64")->slots, kMaxNearLights);
+  EXPECT_FALSE(parseNear("4")->automatic);
+  for (const char* bad : {"", "-1", "65", "2.5", "Auto", "auto ", "1e1"}) {
+    const auto near = parseNear(bad);
+    ASSERT_FALSE(near) << bad;
+    EXPECT_EQ(near.error().line(),
+              std::string("--near ") + bad + ": expected auto, or a number of lights from 0 to 64");
+  }
+}
+
+TEST(RunOptions, AutoRigsChooseAndOthersWhenTold) {
+  using Kind = LightingTarget::Kind;
+  RunOptions options = good();
+  const RigSpec fixed = *parseRigSpec("poly:6"), adaptive = *parseRigSpec("auto");
+  EXPECT_EQ(lightingOptions(fixed, options).target.kind, Kind::none);
+  EXPECT_EQ(lightingOptions(fixed, options).nearSlots, 0);
+  EXPECT_EQ(lightingOptions(adaptive, options).target.kind, Kind::spatialError);
+  EXPECT_EQ(lightingOptions(adaptive, options).target.value, 0.05f);
+  EXPECT_EQ(lightingOptions(adaptive, options).nearSlots, kMaxNearLights);
+
+  options.near = NearChoice{false, 2};
+  EXPECT_EQ(lightingOptions(fixed, options).target.kind, Kind::none);
+  EXPECT_EQ(lightingOptions(fixed, options).nearSlots, 2);
+  EXPECT_EQ(lightingOptions(adaptive, options).target.kind, Kind::spatialError);
+  EXPECT_EQ(lightingOptions(adaptive, options).nearSlots, 2);
+
+  options.near = NearChoice{true, 0};
+  options.target = LightingTarget{Kind::budget, 200};
+  for (const RigSpec& rig : {fixed, adaptive}) {
+    EXPECT_EQ(lightingOptions(rig, options).target.kind, Kind::budget);
+    EXPECT_EQ(lightingOptions(rig, options).target.value, 200);
+    EXPECT_EQ(lightingOptions(rig, options).nearSlots, kMaxNearLights);
+  }
 }
 
 TEST(RunOptions, GoodOnesPass) {
@@ -54,6 +92,22 @@ TEST(RunOptions, ValuesNoRunCanServeAreNamed) {
   EXPECT_EQ(messageOf([&](RunOptions& o) { o.exposure = 0; }), "--exposure 0" + range);
   EXPECT_EQ(messageOf([&](RunOptions& o) { o.exposure = -1; }), "--exposure -1" + range);
   EXPECT_EQ(messageOf([&](RunOptions& o) { o.bands = 6; }), "--bands 6: must be 2 to 5");
+  for (const double rate : {0.5, 1001.0, -30.0, 0.0, static_cast<double>(nan)})
+    EXPECT_THAT(messageOf([&](RunOptions& o) { o.rate = rate; }),
+                testing::EndsWith(": must be 1 to 1000 frames a second"));
+  using Kind = LightingTarget::Kind;
+  const auto aimingAt = [&](Kind kind, float value, const char* rigs) {
+    return messageOf([&](RunOptions& o) {
+      o.target = LightingTarget{kind, value};
+      o.rigs = *parseRigSpecs(rigs);
+    });
+  };
+  EXPECT_EQ(aimingAt(Kind::spatialError, 0.05f, "constant;poly:6"),
+            "--error 0.05: no rig here chooses anything: that takes an `auto` rig or --near auto");
+  EXPECT_EQ(aimingAt(Kind::totalError, 5, "auto"),
+            "--total-error 5: must be more than 0 and at most 1 (0.05 is 5 % of the mean light)");
+  EXPECT_THAT(aimingAt(Kind::spatialError, nan, "auto"), testing::StartsWith("--error nan: must be more than 0"));
+  EXPECT_EQ(aimingAt(Kind::budget, 0, "auto"), "--budget-us 0: must be more than 0 and at most 1000000 microseconds");
   EXPECT_EQ(messageOf([&](RunOptions& o) { o.rigs.clear(); }), "--rig: names no rig");
   EXPECT_EQ(messageOf([&](RunOptions& o) { o.frames.step = 0; }), "--frames: the range is empty");
 }

@@ -61,6 +61,19 @@ TEST(Timeline, TakesTheFramesOfTheRange) {
   EXPECT_THAT(timelineOf(25.0f / 30, "24:").frames, testing::ElementsAre(24, 25));  // 0.8333333 s rounds down
 }
 
+TEST(Timeline, FramesCountAtTheRate) {
+  for (const double rate : {1.0, 24.0, 60.0, 480.0, 1000.0}) {
+    RunOptions options = optionsOf("0:");
+    options.rate = rate;
+    const auto timelines = makeTimelines(sceneOf({2}), options, 0);
+    ASSERT_TRUE(timelines) << rate;
+    const Timeline& timeline = timelines->all.at(0);
+    EXPECT_EQ(static_cast<double>(timeline.frames.size()), 2 * rate + 1);
+    EXPECT_DOUBLE_EQ(timeline.time(timeline.frames.back()), 2);
+    EXPECT_EQ(followers(timeline).size(), timeline.frames.size() - 1);
+  }
+}
+
 TEST(Timeline, HugeStepsAndEndsDoNotOverflow) {
   EXPECT_THAT(timelineOf(1, "1:5:2147483647").frames, testing::ElementsAre(1));
   EXPECT_THAT(timelineOf(1, "0::2147483647").frames, testing::ElementsAre(0));

@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 
 namespace rigel::tools {
 namespace {
@@ -26,6 +27,9 @@ struct Arguments {
   std::string rigs = kDefaultRigs;
   std::string clip;
   std::string frames = "0:";
+  double rate = kDefaultRate;
+  std::string near;
+  std::optional<float> error, totalError, budget;
   float wrap = 0;
   CLI::Option* wrapGiven = nullptr;
   int bands = kDefaultBands;
@@ -36,6 +40,19 @@ struct Arguments {
   bool quiet = false;
   std::string out;
 };
+
+Result<std::optional<LightingTarget>> targetOf(const Arguments& a) {
+  using Kind = LightingTarget::Kind;
+  std::optional<LightingTarget> target;
+  for (const auto& [kind, value] :
+       {std::pair{Kind::spatialError, a.error}, {Kind::totalError, a.totalError}, {Kind::budget, a.budget}}) {
+    if (!value) continue;
+    if (target)
+      return Error{"only one target can be aimed at", targetOption(*target) + " " + targetOption({kind, *value})};
+    target = LightingTarget{kind, *value};
+  }
+  return target;
+}
 
 Result<RunOptions> parse(const Arguments& arguments) {
   if (arguments.out.empty()) return Error{"the name of a directory is missing", "--out"};
@@ -48,6 +65,15 @@ Result<RunOptions> parse(const Arguments& arguments) {
   options.rigs = *std::move(rigs);
   options.clip = arguments.clip;
   options.frames = *frames;
+  options.rate = arguments.rate;
+  if (!arguments.near.empty()) {
+    const auto near = parseNear(arguments.near);
+    if (!near) return near.error();
+    options.near = *near;
+  }
+  const auto target = targetOf(arguments);
+  if (!target) return target.error();
+  options.target = *target;
   if (arguments.wrapGiven->count() > 0) options.wrap = arguments.wrap;
   options.bands = arguments.bands;
   options.exposure = arguments.exposure;
@@ -64,6 +90,9 @@ std::string commandLine(const Arguments& a) {
   line += " --rig \"" + a.rigs + "\"";
   if (!a.clip.empty()) line += " --clip " + a.clip;
   if (a.frames != "0:") line += " --frames " + a.frames;
+  if (a.rate != kDefaultRate) line += fmt::format(" --rate {}", a.rate);
+  if (!a.near.empty()) line += " --near " + a.near;
+  if (const auto target = targetOf(a); target && *target) line += " " + targetOption(**target);
   if (a.wrapGiven->count() > 0) line += fmt::format(" --wrap {}", a.wrap);
   if (a.bands != kDefaultBands) line += fmt::format(" --bands {}", a.bands);
   if (a.exposure != 1) line += fmt::format(" --exposure {}", a.exposure);
@@ -117,8 +146,15 @@ Command addReport(CLI::App& root) {
       ->required();
   app->add_option("--rig", arguments->rigs, "Rig specs, separated by ';'")->capture_default_str();
   app->add_option("--clip", arguments->clip, "Animation clip by name, or 'all' [the first]");
-  app->add_option("--frames", arguments->frames, "FIRST:LAST:STEP in frames of the clip, 30 a second")
+  app->add_option("--frames", arguments->frames, "FIRST:LAST:STEP in frames of the clip, counted at --rate")
       ->capture_default_str();
+  app->add_option("--rate", arguments->rate, "Frames a second at which the clip is looked at")->capture_default_str();
+  app->add_option("--near", arguments->near,
+                  "Lights evaluated exactly at every point: a number, or auto [auto for `auto` rigs, 0 for others]");
+  app->add_option("--error", arguments->error,
+                  "What `auto` and --near auto aim at: spatial RMS error over the mean light [0.05]");
+  app->add_option("--total-error", arguments->totalError, "The same for the total RMS error");
+  app->add_option("--budget-us", arguments->budget, "Or a time: modelled microseconds a frame for 10000 points");
   arguments->wrapGiven =
       app->add_option("--wrap", arguments->wrap, "Wrap reflectance of everything; 0 is Lambert [the materials']")
           ->check(CLI::Range(kMinWrap, kMaxWrap));
@@ -133,9 +169,11 @@ Command addReport(CLI::App& root) {
   app->add_option("--out", arguments->out, "Directory for report.html, report.json and images/")->required();
   app->footer(
       "Rig models: constant, gradient, lattice:AxBxC[:linear|smooth|cubic], mixed:m1,m2,m3 (c, g or lN an axis, by\n"
-      "decreasing extent of the object; xyz: before them pins the axes), poly:K. Suffix @corners, @numeric or @lsq\n"
-      "picks how parameters are computed.\n\n"
-      "Example: rigel report sample:street --rig \"gradient;poly:6\" --out street");
+      "decreasing extent of the object; xyz: before them pins the axes), poly:K, invquad:K. Suffix @corners, @gauss,\n"
+      "@numeric or @lsq picks how parameters are computed. auto[:K] takes, in each frame, as many of K SH vectors and\n"
+      "as many near lights as its target needs.\n\n"
+      "Examples: rigel report sample:street --rig \"gradient;poly:6\" --out street\n"
+      "          rigel report sample:touch --rig \"auto;poly:6\" --near auto --error 0.02 --out touch");
   return {app, [arguments] { return runReportCommand(*arguments); }};
 }
 

@@ -138,9 +138,13 @@ RigReport ObjectRun::rigReport(std::size_t r, double mean) const {
                 {"shade", shade}};
   out.fitMicroseconds = medianOf(tally.fitTimes, &FitTimes::sum);
   out.shadeNanosecondsPerPoint = 1000 * shade / static_cast<double>(surface_.measured.size());
-  for (std::size_t f = 0; f < frames_.size(); ++f)
-    out.frames.push_back({frames_[f].time, scale * std::sqrt(tally.spatialSquares[f] / channels),
-                          scale * std::sqrt(tally.totalSquares[f] / channels)});
+  for (std::size_t f = 0; f < frames_.size(); ++f) {
+    RigFrame& frame = out.frames.emplace_back();
+    frame.time = frames_[f].time;
+    frame.spatialRms = scale * std::sqrt(tally.spatialSquares[f] / channels);
+    frame.totalRms = scale * std::sqrt(tally.totalSquares[f] / channels);
+    frame.shVectors = rig.shVectors();
+  }
   return out;
 }
 

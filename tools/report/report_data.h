@@ -2,6 +2,9 @@
 // report_html and report_text. Field names follow report.json.
 #pragma once
 
+#include <rigel/object_lighting.h>
+
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -20,6 +23,25 @@ struct RigFrame {
   double time = 0;  // s
   double spatialRms = 0;
   double totalRms = 0;
+  std::optional<double> estimate;       // of spatialRms, by the rig itself, which does not know the truth
+  std::optional<double> totalEstimate;  // of totalRms
+  int shVectors = 0;
+  double modelledNanoseconds = 0;  // a shaded point, by the cost model
+  std::vector<int> near;           // lights with a weight above 0, as indices into RigReport::lights
+};
+
+/// A light as one rig treats it over the frames of the run.
+struct LightUse {
+  std::string name;
+  std::string type;
+  double bound = 0;  // largest over the frames: of the error of leaving it in the rig, relative
+  double share = 0;  // of the object's light; mean over the frames
+  std::string why;
+  std::vector<LightRole> roles;  // per frame
+  std::vector<float> weights;    // per frame, evaluated exactly; empty where 0 throughout
+  std::vector<float> bounds;     // per frame, relative; empty for lights of little weight and bound
+
+  int framesOf(LightRole role) const { return static_cast<int>(std::ranges::count(roles, role)); }
 };
 
 struct StageTime {
@@ -29,19 +51,25 @@ struct StageTime {
 
 struct RigReport {
   std::string spec;
-  int shVectors = 0;
+  std::string asked;      // the options that govern its choices: "--near auto --error 0.05"; "" where it has none
+  double shVectors = 0;   // mean over the frames, for a rig that chooses their number
+  double nearLights = 0;  // lights with a weight above 0, mean over the frames
   int projections = 0;
   ErrorFigures spatial;
   ErrorFigures total;
-  double fitMicroseconds = 0;  // median over frames: refresh + project + fit
+  std::optional<double> estimate;  // RMS over the frames; empty where a frame has none
+  std::optional<double> totalEstimate;
+  double fitMicroseconds = 0;  // median over frames of all stages but shading
   double shadeNanosecondsPerPoint = 0;
-  std::size_t bytes = 0;
+  double modelledNanoseconds = 0;  // a shaded point, by the cost model; mean over the frames
+  std::size_t bytes = 0;           // of the frame with the most SH vectors
   /// Popping: the largest change of the error, at any sample and channel, between frames that follow on each other
   /// (numbered one apart, no clip starting over). Empty where no two of the frames do.
   std::optional<double> maxJump;
-  double condition = 1;  // worst condition number of the fit over the frames; 1 where nothing is solved
-  std::vector<StageTime> stages;
+  double condition = 1;           // worst condition number of the fit over the frames; 1 where nothing is solved
+  std::vector<StageTime> stages;  // those that ran, in their order
   std::vector<RigFrame> frames;
+  std::vector<LightUse> lights;  // in the order of the scene's
 };
 
 /// Per frame, what the truth itself does: its mean and how far it moved since the frame before (RMS over samples).
@@ -97,6 +125,7 @@ struct Report {
   std::string commandLine;
   int bands = 3;
   double exposure = 1;
+  double rate = 30;  // frames a second
   std::vector<SceneReport> scenes;
 };
 

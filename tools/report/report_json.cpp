@@ -1,11 +1,13 @@
 #include "report/report_json.h"
 
+#include "report/light_log.h"
 #include "report/verdict.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace rigel::tools {
 namespace {
@@ -28,10 +30,15 @@ class Writer {
         objects.push_back(object(objectReport, sceneReport, i));
     }
     place_ = "report";
-    return {{"version", report.version},      {"command", report.commandLine},
-            {"bands", report.bands},          {"exposure", number(report.exposure, "exposure")},
-            {"verdict_slack", kVerdictSlack}, {"usable_error", kUsableError},
-            {"effects", std::move(effects)},  {"scenes", std::move(scenes)},
+    return {{"version", report.version},
+            {"command", report.commandLine},
+            {"bands", report.bands},
+            {"exposure", number(report.exposure, "exposure")},
+            {"rate", number(report.rate, "rate")},
+            {"verdict_slack", kVerdictSlack},
+            {"usable_error", kUsableError},
+            {"effects", std::move(effects)},
+            {"scenes", std::move(scenes)},
             {"objects", std::move(objects)}};
   }
 
@@ -41,6 +48,12 @@ class Writer {
   Json number(double value, std::string_view field) {
     if (!std::isfinite(value) && notFinite_.empty()) notFinite_ = fmt::format("{}: {} is {}", place_, field, value);
     return value;
+  }
+
+  /// A count, or the mean of counts.
+  Json wholeOrNumber(double value, std::string_view field) {
+    const Json written = number(value, field);
+    return value == std::floor(value) && std::abs(value) < 1e9 ? Json(static_cast<int>(value)) : written;
   }
 
   Json numberOrNull(std::optional<double> value, std::string_view field) {
@@ -83,24 +96,29 @@ class Writer {
                        {"movement", numberOrNull(frame.movement, "truth movement")}});
     result["truth"] = std::move(truth);
     result["rigs"] = Json::array();
-    for (const RigReport& rigReport : report.rigs) result["rigs"].push_back(rig(rigReport, report, sceneReport));
+    for (const RigReport& rigReport : report.rigs) {
+      place_ = fmt::format("{}, object {}, rig {}", sceneReport.scene, report.name, rigReport.spec);
+      result["rigs"].push_back(rig(rigReport));
+    }
     place_ = fmt::format("{}, object {}", sceneReport.scene, report.name);
     result["pictures"] = Json::array();
     for (const Picture& pictureReport : report.pictures) result["pictures"].push_back(picture(pictureReport));
     return result;
   }
 
-  Json rig(const RigReport& report, const ObjectReport& objectReport, const SceneReport& sceneReport) {
-    place_ = fmt::format("{}, object {}, rig {}", sceneReport.scene, objectReport.name, report.spec);
-    // Every light is in the rig, none is evaluated beside it: near lists are empty because nothing is near.
+  Json rig(const RigReport& report) {
     Json result = {{"spec", report.spec},
-                   {"sh_vectors", report.shVectors},
+                   {"asked", report.asked},
+                   {"sh_vectors", wholeOrNumber(report.shVectors, "sh_vectors")},
                    {"projections", report.projections},
-                   {"near_lights", 0},
+                   {"near_lights", wholeOrNumber(report.nearLights, "near_lights")},
                    {"spatial", figures(report.spatial, "spatial")},
                    {"total", figures(report.total, "total")},
+                   {"estimate", numberOrNull(report.estimate, "estimate")},
+                   {"total_estimate", numberOrNull(report.totalEstimate, "total_estimate")},
                    {"fit_us", number(report.fitMicroseconds, "fit_us")},
                    {"shade_ns_per_point", number(report.shadeNanosecondsPerPoint, "shade_ns_per_point")},
+                   {"modelled_ns_per_point", number(report.modelledNanoseconds, "modelled_ns_per_point")},
                    {"bytes", report.bytes},
                    {"max_jump", numberOrNull(report.maxJump, "max_jump")},
                    {"condition", number(report.condition, "condition")}};
@@ -108,16 +126,64 @@ class Writer {
     for (const StageTime& stage : report.stages) stages[stage.name] = number(stage.microseconds, stage.name);
     result["stages"] = std::move(stages);
     Json frames = Json::array();
-    for (const RigFrame& frame : report.frames)
-      frames.push_back({{"time", number(frame.time, "time")},
-                        {"spatial_rms", number(frame.spatialRms, "spatial_rms")},
-                        {"total_rms", number(frame.totalRms, "total_rms")},
-                        {"sh_vectors", report.shVectors},
-                        {"near", Json::array()}});
+    for (const RigFrame& rigFrame : report.frames) frames.push_back(frame(rigFrame, report.lights));
     result["frames"] = std::move(frames);
     Json lights = Json::array();
-    for (const LightRow& light : sceneReport.lights) lights.push_back({{"name", light.name}, {"type", light.type}});
+    for (const LightUse& use : report.lights) lights.push_back(light(use));
     result["lights"] = std::move(lights);
+    return result;
+  }
+
+  Json frame(const RigFrame& report, const std::vector<LightUse>& lights) {
+    Json near = Json::array();
+    for (const int i : report.near) near.push_back(lights.at(static_cast<std::size_t>(i)).name);
+    Json result = {{"time", number(report.time, "time")},
+                   {"spatial_rms", number(report.spatialRms, "spatial_rms")},
+                   {"total_rms", number(report.totalRms, "total_rms")},
+                   {"estimate", numberOrNull(report.estimate, "frame estimate")},
+                   {"sh_vectors", report.shVectors},
+                   {"near", std::move(near)}};
+    if (report.totalEstimate) result["total_estimate"] = number(*report.totalEstimate, "frame total_estimate");
+    return result;
+  }
+
+  Json light(const LightUse& use) {
+    Json result = {{"name", use.name},
+                   {"type", use.type},
+                   {"bound", number(use.bound, "bound of light " + use.name)},
+                   {"share", number(use.share, "share of light " + use.name)},
+                   {"near_frames", use.framesOf(LightRole::near)},
+                   {"blend_frames", use.framesOf(LightRole::blended)},
+                   {"far_frames", use.framesOf(LightRole::far)},
+                   {"culled_frames", use.framesOf(LightRole::culled)},
+                   {"why", use.why},
+                   {"roles", runs(use.roles)}};
+    if (!use.weights.empty()) result["weights"] = shortNumbers(use.weights, "weights of light " + use.name);
+    if (!use.bounds.empty()) result["bounds"] = shortNumbers(use.bounds, "bounds of light " + use.name);
+    return result;
+  }
+
+  /// [[61, "far"], [4, "blended"], ...]: how many frames in a row.
+  static Json runs(const std::vector<LightRole>& roles) {
+    Json result = Json::array();
+    for (std::size_t first = 0; first < roles.size();) {
+      std::size_t end = first;
+      while (end < roles.size() && roles[end] == roles[first]) ++end;
+      result.push_back({end - first, roleName(roles[first])});
+      first = end;
+    }
+    return result;
+  }
+
+  /// Three digits: they are drawn, and there is one for every light and frame.
+  Json shortNumbers(const std::vector<float>& values, std::string_view field) {
+    Json result = Json::array();
+    for (const float value : values) {
+      if (number(static_cast<double>(value), field) == 0)
+        result.push_back(0);
+      else
+        result.push_back(std::strtod(fmt::format("{:.3g}", value).c_str(), nullptr));
+    }
     return result;
   }
 

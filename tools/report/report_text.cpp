@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace rigel::tools {
@@ -50,17 +51,22 @@ std::string aligned(const std::vector<Row>& rows) {
   return text;
 }
 
-std::string percent(double relative) { return fmt::format("{:.2f}", 100 * relative); }
+std::string hundredths(double relative) { return fmt::format("{:.2f}", 100 * relative); }
+
+/// A whole number where all frames have the same.
+std::string mean(double count) { return fmt::format("{:.{}f}", count, count == std::floor(count) ? 0 : 1); }
 
 Row figures(const RigReport& rig, bool chosen) {
   return {fmt::format("{} {}", chosen ? '>' : ' ', printable(rig.spec)),
-          fmt::format("{}", rig.shVectors),
+          mean(rig.shVectors),
+          mean(rig.nearLights),
           fmt::format("{}", rig.projections),
-          percent(rig.spatial.rms),
-          percent(rig.spatial.max),
-          percent(rig.total.rms),
-          percent(rig.total.max),
-          rig.maxJump ? percent(*rig.maxJump) : "-",
+          hundredths(rig.spatial.rms),
+          rig.estimate ? hundredths(*rig.estimate) : "-",
+          hundredths(rig.spatial.max),
+          hundredths(rig.total.rms),
+          hundredths(rig.total.max),
+          rig.maxJump ? hundredths(*rig.maxJump) : "-",
           fmt::format("{:.1f}", rig.fitMicroseconds),
           fmt::format("{:.1f}", rig.shadeNanosecondsPerPoint),
           fmt::format("{}", rig.bytes)};
@@ -74,8 +80,8 @@ std::string objectText(const SceneReport& scene, const ObjectReport& object) {
                       scene.frames, scene.frames == 1 ? "" : "s");
   const std::optional<Verdict> verdict = verdictOf(object);
   if (!verdict) return text;
-  std::vector<Row> rows = {{"  rig", "SH vectors", "projections", "spatial RMS %", "max %", "total RMS %", "max %",
-                            "max jump %", "fit us", "shade ns/pt", "bytes"}};
+  std::vector<Row> rows = {{"  rig", "SH vectors", "near lights", "projections", "spatial RMS %", "estimate %", "max %",
+                            "total RMS %", "max %", "max jump %", "fit us", "shade ns/pt", "bytes"}};
   for (std::size_t i = 0; i < object.rigs.size(); ++i)
     rows.push_back(figures(object.rigs[i], verdict->advised && i == verdict->chosen));
   return fmt::format("{}{}  > {}\n", text, aligned(rows), printable(verdict->sentence));

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 
 namespace rigel::tools {
@@ -13,6 +14,20 @@ namespace {
 bool parseNumber(std::string_view text, int& value) {
   const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
   return status == std::errc() && end == text.data() + text.size();
+}
+
+std::optional<Error> checkTarget(const RunOptions& options) {
+  if (!options.target) return std::nullopt;
+  const LightingTarget& target = *options.target;
+  const bool budget = target.kind == LightingTarget::Kind::budget;
+  if (budget && !(target.value > 0 && target.value <= kMaxBudget))
+    return Error{fmt::format("must be more than 0 and at most {:.0f} microseconds", kMaxBudget), targetOption(target)};
+  if (!budget && !(target.value > 0 && target.value <= kMaxErrorTarget))
+    return Error{fmt::format("must be more than 0 and at most {:g} (0.05 is 5 % of the mean light)", kMaxErrorTarget),
+                 targetOption(target)};
+  if (std::ranges::none_of(options.rigs, [&](const RigSpec& rig) { return chooses(rig, options); }))
+    return Error{"no rig here chooses anything: that takes an `auto` rig or --near auto", targetOption(target)};
+  return std::nullopt;
 }
 
 }  // namespace
@@ -43,6 +58,41 @@ Result<FrameRange> parseFrameRange(const std::string& text) {
   return range;
 }
 
+Result<NearChoice> parseNear(const std::string& text) {
+  if (text == "auto") return NearChoice{true, 0};
+  NearChoice near;
+  if (!parseNumber(text, near.slots) || near.slots < 0 || near.slots > kMaxNearLights)
+    return Error{fmt::format("expected auto, or a number of lights from 0 to {}", kMaxNearLights), "--near " + text};
+  return near;
+}
+
+bool chooses(const RigSpec& rig, const RunOptions& options) {
+  return rig.adaptive || (options.near && options.near->automatic);
+}
+
+LightingOptions lightingOptions(const RigSpec& rig, const RunOptions& options) {
+  LightingOptions lighting;
+  if (chooses(rig, options)) lighting.target = options.target.value_or(kDefaultTarget);
+  const NearChoice near = options.near.value_or(NearChoice{rig.adaptive, 0});
+  lighting.nearSlots = near.automatic ? kMaxNearLights : near.slots;
+  lighting.estimate = true;
+  return lighting;
+}
+
+std::string targetOption(const LightingTarget& target) {
+  switch (target.kind) {
+    case LightingTarget::Kind::spatialError:
+      return fmt::format("--error {:g}", target.value);
+    case LightingTarget::Kind::totalError:
+      return fmt::format("--total-error {:g}", target.value);
+    case LightingTarget::Kind::budget:
+      return fmt::format("--budget-us {:g}", target.value);
+    case LightingTarget::Kind::none:
+      break;
+  }
+  return "";
+}
+
 std::optional<Error> checkOptions(const RunOptions& options) {
   // Written so that NaN fails every comparison.
   if (options.wrap && !(*options.wrap >= kMinWrap && *options.wrap <= kMaxWrap))
@@ -55,9 +105,12 @@ std::optional<Error> checkOptions(const RunOptions& options) {
   if (options.frames.first < 0 || options.frames.step < 1 ||
       (options.frames.last && *options.frames.last < options.frames.first))
     return Error{"the range is empty", "--frames"};
+  if (!(options.rate >= kMinRate && options.rate <= kMaxRate))
+    return Error{fmt::format("must be {:g} to {:g} frames a second", kMinRate, kMaxRate),
+                 fmt::format("--rate {:g}", options.rate)};
   if (options.rigs.empty()) return Error{"names no rig", "--rig"};
   if (options.samples < 1) return Error{"needs at least one surface sample", "samples"};
-  return std::nullopt;
+  return checkTarget(options);
 }
 
 }  // namespace rigel::tools

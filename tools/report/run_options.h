@@ -1,7 +1,7 @@
 // What `rigel report` is asked to do, checked and parsed.
 #pragma once
 
-#include <rigel/rig_spec.h>
+#include <rigel/object_lighting.h>
 
 #include <functional>
 #include <optional>
@@ -10,7 +10,9 @@
 
 namespace rigel::tools {
 
-inline constexpr double kFramesPerSecond = 30;
+inline constexpr double kDefaultRate = 30;  // frames a second
+inline constexpr double kMinRate = 1;
+inline constexpr double kMaxRate = 1000;
 
 /// --exposure at most: from the dimmest photometric file to a sun in lux it takes less.
 inline constexpr float kMaxExposure = 1e6f;
@@ -25,12 +27,29 @@ struct FrameRange {
 /// "A:B:STEP", with A, B and :STEP left out at will; "A" is one frame.
 Result<FrameRange> parseFrameRange(const std::string& text);
 
+/// --near: how many lights a rig may leave to exact evaluation at every point, or that it chooses that itself.
+struct NearChoice {
+  bool automatic = false;
+  int slots = 0;  // where it is not automatic
+};
+
+/// "K" or "auto".
+Result<NearChoice> parseNear(const std::string& text);
+
+/// --error where nothing is said: errors of a twentieth of the mean light are hard to see in motion.
+inline constexpr LightingTarget kDefaultTarget{LightingTarget::Kind::spatialError, 0.05f};
+inline constexpr float kMaxErrorTarget = 1;     // as large as the light itself
+inline constexpr float kMaxBudget = 1'000'000;  // us
+
 struct RunOptions {
   std::vector<std::string> scenes;
   std::vector<RigSpec> rigs;
   std::string clip;  // "" the first, "all" every one, else by name
   FrameRange frames;
-  std::optional<float> wrap;  // overrides the materials'
+  double rate = kDefaultRate;            // frames a second of the clip, which `frames` counts
+  std::optional<NearChoice> near;        // empty: automatic for `auto` rigs, none for the others
+  std::optional<LightingTarget> target;  // of the rigs that choose; empty: kDefaultTarget
+  std::optional<float> wrap;             // overrides the materials'
   int bands = 3;
   float exposure = 1;
   std::string lights;  // donor scene of --lights, or ""
@@ -41,6 +60,15 @@ struct RunOptions {
 /// The first value that no run can serve, named by its option: not finite, or outside its range. For who fills
 /// RunOptions (a program's user gets it as bad use); runReport asks again.
 std::optional<Error> checkOptions(const RunOptions& options);
+
+/// Does the rig choose in each frame: an `auto` rig always, a fixed one its near lights under --near auto?
+bool chooses(const RigSpec& rig, const RunOptions& options);
+
+/// What is asked of one rig of the run. Reference irradiance and wrap are left for who knows the object.
+LightingOptions lightingOptions(const RigSpec& rig, const RunOptions& options);
+
+/// The option that sets a target as a user types it: "--error 0.05".
+std::string targetOption(const LightingTarget& target);
 
 /// Called often during long work with the share done in [0, 1] and what is being done.
 using Progress = std::function<void(double share, const std::string& what)>;

@@ -213,6 +213,7 @@ Result<Report> runReport(const RunOptions& options, const std::filesystem::path&
   Report report;
   report.bands = options.bands;
   report.exposure = static_cast<double>(options.exposure);
+  report.rate = options.rate;
   std::size_t done = 0;
   for (std::size_t s = 0; s < scenes.size(); ++s) {
     const std::vector<Timeline>& timelines = scenes[s].timelines();

@@ -48,11 +48,10 @@ std::vector<int> framesOf(const FrameRange& range, double end) {
 
 }  // namespace
 
-Timeline::Looped Timeline::looped(double time, double duration) {
+Timeline::Looped Timeline::looped(double time, double duration) const {
   if (duration <= 0) return {0, 0};
   // Every lap ends with the clip's end: its start, where loops are seamless, is the same moment.
-  constexpr double kSlack = kFrameSlack / kFramesPerSecond;
-  const double lap = std::max(0.0, std::ceil((time - kSlack) / duration) - 1);
+  const double lap = std::max(0.0, std::ceil((time - kFrameSlack / rate) / duration) - 1);
   return {std::clamp(time - lap * duration, 0.0, duration), lap};
 }
 
@@ -71,6 +70,7 @@ Result<Timelines> makeTimelines(const Scene& scene, const RunOptions& options, d
   std::optional<Error> tooShort;
   for (int clip : *clips) {
     Timeline timeline;
+    timeline.rate = options.rate;
     timeline.clip = clip;
     timeline.lightDuration = lightDuration;
     if (clip != kRestPose) {
@@ -80,7 +80,7 @@ Result<Timelines> makeTimelines(const Scene& scene, const RunOptions& options, d
     const std::string label = timeline.clipName.empty() ? "" : "clip '" + timeline.clipName + "'";
     const std::string place = scene.name + (label.empty() ? "" : ": " + label);
     const double duration = std::max(timeline.clipDuration, lightDuration);
-    const double end = std::floor(duration * kFramesPerSecond + kFrameSlack);
+    const double end = std::floor(duration * options.rate + kFrameSlack);
     if (options.frames.first > end) {
       const std::string why = fmt::format("frame {} is past the end (the last is {:.0f})", options.frames.first, end);
       if (!tooShort) tooShort = Error{why, place};
@@ -89,9 +89,9 @@ Result<Timelines> makeTimelines(const Scene& scene, const RunOptions& options, d
     }
     timeline.frames = framesOf(options.frames, end);
     if (timeline.frames.empty())
-      return Error{fmt::format("lasts {:.4g} s, which at 30 frames a second is more than the {} frames of a report "
+      return Error{fmt::format("lasts {:.4g} s, which at {:g} frames a second is more than the {} frames of a report "
                                "(choose some: --frames 0:1000)",
-                               duration, kMaxFrames),
+                               duration, options.rate, kMaxFrames),
                    place};
     timelines.all.push_back(std::move(timeline));
   }

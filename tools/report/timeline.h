@@ -9,16 +9,17 @@ namespace rigel::tools {
 /// Above this a report would neither be finished nor read.
 inline constexpr int kMaxFrames = 100'000;
 
-/// Frames count at 30 a second. The run lasts as long as the longer of the clip and the donor's lights; the shorter
+/// Frames count at `rate` a second. The run lasts as long as the longer of the clip and the donor's lights; the shorter
 /// loops.
 struct Timeline {
+  double rate = kDefaultRate;
   int clip = -1;             // index into Scene::animations, or kRestPose
   std::string clipName;      // "" for a still scene
   double clipDuration = 0;   // s
   double lightDuration = 0;  // s, of the donor's clip; 0 where the lights are the scene's own
   std::vector<int> frames;   // numbers of the frames to look at, rising; at least one
 
-  double time(int frame) const { return frame / kFramesPerSecond; }
+  double time(int frame) const { return frame / rate; }
   double clipTime(int frame) const { return looped(time(frame), clipDuration).time; }
   double lightTime(int frame) const { return looped(time(frame), lightDuration).time; }
 
@@ -31,7 +32,7 @@ struct Timeline {
     double time;  // within the loop
     double lap;   // loops completed before it
   };
-  static Looped looped(double time, double duration);
+  Looped looped(double time, double duration) const;
 };
 
 struct Timelines {

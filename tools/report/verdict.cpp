@@ -1,20 +1,27 @@
 #include "report/verdict.h"
 
+#include "report/wording.h"
+
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <tuple>
 
 namespace rigel::tools {
 namespace {
 
-std::string vectors(const RigReport& rig) {
-  return fmt::format("{} SH vector{}", rig.shVectors, rig.shVectors == 1 ? "" : "s");
+/// SH vectors alone do not say what a point costs where some rigs leave lights to exact evaluation.
+bool modelledTimeCounts(const ObjectReport& object) {
+  return std::ranges::any_of(object.rigs, [](const RigReport& rig) { return rig.nearLights > 0; });
 }
 
-/// Three digits, as the page writes them.
-std::string percent(double relative) {
-  const double value = 100 * relative;
-  return value >= 99.95 || value == 0 ? fmt::format("{:.0f} %", value) : fmt::format("{:#.3g} %", value);
+/// "12 SH vectors"; where near lights are about "3.4 SH vectors and 1.2 near lights, 72 ns a point by the cost model".
+std::string costOf(const ObjectReport& object, std::size_t index) {
+  const RigReport& rig = object.rigs[index];
+  std::string text = counted(rig.shVectors, "SH vector");
+  if (rig.nearLights > 0) text += " and " + counted(rig.nearLights, "near light");
+  if (modelledTimeCounts(object)) text += fmt::format(", {:.0f} ns a point by the cost model", rig.modelledNanoseconds);
+  return text;
 }
 
 std::string sentenceFor(const ObjectReport& object, const Verdict& verdict) {
@@ -27,16 +34,16 @@ std::string sentenceFor(const ObjectReport& object, const Verdict& verdict) {
     return fmt::format(
         "No rig lights this object well, most likely because a light comes very close: the least error is "
         "that of {} ({}), {}.",
-        best.spec, vectors(best), figures);
+        best.spec, costOf(object, verdict.best), figures);
   if (object.rigs.size() == 1)
-    return fmt::format("Only {} was measured ({}): {}.", chosen.spec, vectors(chosen), figures);
+    return fmt::format("Only {} was measured ({}): {}.", chosen.spec, costOf(object, verdict.chosen), figures);
   if (verdict.chosen == verdict.best)
     return fmt::format("{} has the least error, and no rig within {:.0f} % of it is cheaper ({}): {}.", chosen.spec,
-                       100 * kVerdictSlack, vectors(chosen), figures);
+                       100 * kVerdictSlack, costOf(object, verdict.chosen), figures);
   return fmt::format(
       "{} is the cheapest rig ({}) within {:.0f} % of the least error: {}, against {} and {} for {} ({}).", chosen.spec,
-      vectors(chosen), 100 * kVerdictSlack, figures, percent(best.total.rms), percent(best.spatial.rms), best.spec,
-      vectors(best));
+      costOf(object, verdict.chosen), 100 * kVerdictSlack, figures, percent(best.total.rms), percent(best.spatial.rms),
+      best.spec, costOf(object, verdict.best));
 }
 
 }  // namespace
@@ -47,9 +54,10 @@ std::optional<Verdict> verdictOf(const ObjectReport& object) {
   for (std::size_t i = 1; i < object.rigs.size(); ++i)
     if (object.rigs[i].total.rms < object.rigs[verdict.best].total.rms) verdict.best = i;
 
+  const bool near = modelledTimeCounts(object);
   const auto cost = [&](std::size_t i) {
     const RigReport& rig = object.rigs[i];
-    return std::tuple(rig.shVectors, rig.projections, rig.total.rms);
+    return std::tuple(near ? rig.modelledNanoseconds : rig.shVectors, rig.projections, rig.total.rms);
   };
   const double limit = (1 + kVerdictSlack) * object.rigs[verdict.best].total.rms;
   verdict.chosen = verdict.best;

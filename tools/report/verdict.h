@@ -17,9 +17,11 @@ inline constexpr double kVerdictSlack = 0.10;
 inline constexpr double kUsableError = 0.25;
 
 struct Verdict {
-  std::size_t best = 0;    // index of the rig of least total RMS
-  std::size_t chosen = 0;  // cheapest within kVerdictSlack of it: fewest SH vectors, then projections, then error
-  bool advised = false;    // whether `chosen` is good enough; where it is not, it is `best`
+  std::size_t best = 0;  // index of the rig of least total RMS
+  /// Cheapest within kVerdictSlack of it: fewest SH vectors (where lights are near: least modelled time a point), then
+  /// projections, then error.
+  std::size_t chosen = 0;
+  bool advised = false;  // whether `chosen` is good enough; where it is not, it is `best`
   std::string sentence;
 };
 

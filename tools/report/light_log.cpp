@@ -1,0 +1,132 @@
+#include "report/light_log.h"
+
+#include "report/wording.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+
+namespace rigel::tools {
+namespace {
+
+using Kind = LightingTarget::Kind;
+
+/// "in all frames", "in frame 7", "in frames 3-9, 12 and 4 more stretches".
+std::string framesWith(const LightUse& use, LightRole role, std::span<const int> numbers) {
+  constexpr int kNamed = 2;
+  if (use.framesOf(role) == static_cast<int>(use.roles.size())) return "in all frames";
+  std::string text;
+  int stretches = 0;
+  bool several = false;
+  for (std::size_t first = 0; first < use.roles.size();) {
+    std::size_t end = first;
+    while (end < use.roles.size() && use.roles[end] == use.roles[first]) ++end;
+    if (use.roles[first] == role && ++stretches <= kNamed) {
+      text += (text.empty() ? "" : ", ") + std::to_string(numbers[first]);
+      if (end - first > 1) text += "-" + std::to_string(numbers[end - 1]);
+      several = several || stretches > 1 || end - first > 1;
+    }
+    first = end;
+  }
+  text = (several ? "in frames " : "in frame ") + text;
+  if (stretches > kNamed) text += fmt::format(" and {} more stretches", stretches - kNamed);
+  return text;
+}
+
+std::string goalOf(const LightingOptions& asked) {
+  switch (asked.target.kind) {
+    case Kind::spatialError:
+    case Kind::totalError:
+      return "target " + percent(static_cast<double>(asked.target.value));
+    case Kind::budget:
+      return fmt::format("budget {:g} us", asked.target.value);
+    case Kind::none:
+      break;
+  }
+  return counted(asked.nearSlots, "near light") + " at most";
+}
+
+std::string whyFar(const LightUse& use, const LightingOptions& asked) {
+  if (asked.nearSlots == 0 && asked.target.kind == Kind::none)
+    return use.bound > 0 ? fmt::format("far: every light is left in the rig (bound up to {})", percent(use.bound))
+                         : "far: every light is left in the rig";
+  if (use.bound == 0) return "far: the rig holds it without error";
+  return fmt::format("far: its bound reaches no more than {} of the mean light ({})", percent(use.bound),
+                     goalOf(asked));
+}
+
+std::string whyOf(const LightUse& use, const LightLogContext& context) {
+  const auto frames = [&](LightRole role) { return framesWith(use, role, context.frames); };
+  const int near = use.framesOf(LightRole::near), blended = use.framesOf(LightRole::blended);
+  const int culled = use.framesOf(LightRole::culled);
+  if (culled == static_cast<int>(use.roles.size()))
+    return "culled: it gives this object nothing in any frame (out of range, outside its cone, or black)";
+  std::string why;
+  if (near > 0) {
+    why = fmt::format("near {}: its bound reaches {} of the mean light ({})", frames(LightRole::near),
+                      percent(use.bound), goalOf(context.asked));
+    if (blended > 0) why += "; blended " + frames(LightRole::blended);
+  } else if (blended > 0) {
+    why = fmt::format("partly near {}: its bound reaches {} of the mean light ({})", frames(LightRole::blended),
+                      percent(use.bound), goalOf(context.asked));
+  } else {
+    why = whyFar(use, context.asked);
+  }
+  if (culled > 0) why += "; gives nothing " + frames(LightRole::culled);
+  return why;
+}
+
+/// Leaves the course over the frames to the lights that have one worth showing.
+void thinOut(std::vector<LightUse>& uses) {
+  std::vector<LightUse*> far;
+  for (LightUse& use : uses) {
+    if (std::ranges::all_of(use.weights, [](float w) { return w == 0; })) use.weights.clear();
+    if (use.weights.empty()) far.push_back(&use);
+  }
+  std::ranges::stable_sort(far, [](const LightUse* a, const LightUse* b) { return a->bound > b->bound; });
+  const std::size_t kept = far.size() == uses.size() ? 0 : LightLog::kKept;
+  for (std::size_t rank = kept; rank < far.size(); ++rank) far[rank]->bounds.clear();
+}
+
+}  // namespace
+
+const char* roleName(LightRole role) {
+  switch (role) {
+    case LightRole::culled:
+      return "culled";
+    case LightRole::far:
+      return "far";
+    case LightRole::blended:
+      return "blended";
+    case LightRole::near:
+      break;
+  }
+  return "near";
+}
+
+void LightLog::add(std::span<const LightVerdict> verdicts) { frames_.emplace_back(verdicts.begin(), verdicts.end()); }
+
+std::vector<LightUse> LightLog::uses(const LightLogContext& context) const {
+  assert(context.frames.size() == frames_.size());
+  const float scale = context.meanIrradiance > 0 ? static_cast<float>(1 / context.meanIrradiance) : 0;
+  std::vector<LightUse> uses;
+  for (std::size_t i = 0; i < context.lights.size(); ++i) {
+    LightUse& use = uses.emplace_back();
+    use.name = context.lights[i].name;
+    use.type = context.lights[i].type;
+    for (const std::vector<LightVerdict>& frame : frames_) {
+      const LightVerdict& verdict = frame.at(i);
+      use.roles.push_back(verdict.role);
+      use.weights.push_back(verdict.weight);
+      use.bounds.push_back(scale * verdict.bound);
+      use.bound = std::max(use.bound, static_cast<double>(use.bounds.back()));
+      use.share += static_cast<double>(verdict.share) / static_cast<double>(frames_.size());
+    }
+    use.why = whyOf(use, context);
+  }
+  thinOut(uses);
+  return uses;
+}
+
+}  // namespace rigel::tools

@@ -1,0 +1,15 @@
+// Figures in sentences, written alike wherever the report speaks.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace rigel::tools {
+
+/// "4.70 %", "0 %", "120 %": three digits, as the page writes them.
+std::string percent(double relative);
+
+/// "1 SH vector", "12 SH vectors", "3.4 SH vectors" (a mean).
+std::string counted(double number, std::string_view noun);
+
+}  // namespace rigel::tools
