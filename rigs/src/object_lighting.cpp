@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kCheckPoints = 24;     // where rigs without anchors are compared with the lights' own SH
 constexpr int kTruncationEvery = 3;  // the high bands, which vary less, are projected at every third point
-constexpr int kCandidates = 24;      // lights that are looked at one by one; the others stay in the rig
+constexpr int kCandidates = 40;      // lights that are looked at one by one; the others stay in the rig
 constexpr float kSpatialMargin = 1.3f;
 constexpr float kTotalMargin = 1.15f;
 
@@ -53,7 +53,8 @@ struct ObjectLighting<B>::State {
     functionals.resize(rig.projections());
     coefficients.resize(rig.shVectors());
     active = rig.shVectors();
-    nearFar = NearFar({.slots = options.nearSlots});
+    slots = chooses() && options.nearSlots == 0 ? kMaxNearLights : options.nearSlots;
+    nearFar.options().slots = slots;
     setUpRows();
     std::vector<Vec3> posed;
     for (int i : anchors) posed.push_back(rest.surface[i]);
@@ -310,7 +311,6 @@ struct ObjectLighting<B>::State {
     done(probe, LightingStage::project);
     frameMean = 0;
     for (float m : means) frameMean += m;
-    slots = options.nearSlots > 0 ? options.nearSlots : kMaxNearLights;
     tradeOff.build(rows, damping(), slots, options.target.kind != LightingTarget::Kind::spatialError);
   }
 

@@ -1,5 +1,7 @@
 #include "study/study_frames.h"
 
+#include "scene/gltf_load.h"
+
 #include <rigel/exact.h>
 
 namespace rigel::tools {
