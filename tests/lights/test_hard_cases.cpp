@@ -1,7 +1,9 @@
-// Finite input of any kind gives finite output: projection, gradient and exact irradiance over random hard cases,
-// inside, touching, coincident, zero radius, huge and tiny scales, any bit pattern. RIGEL_FULL=1: ten million of them.
+// Finite input of any kind gives finite output: projection, gradient, exact irradiance and near lights over random hard
+// cases, inside, touching, coincident, zero radius, huge and tiny scales, any bit pattern. RIGEL_FULL=1: ten million of
+// them.
 #include <gtest/gtest.h>
 #include <rigel/exact.h>
+#include <rigel/near_light.h>
 #include <rigel/project.h>
 #include <rigel/wrap.h>
 
@@ -134,6 +136,10 @@ bool expectFinite(const Light& light, Vec3 p, Vec3 n, float wrap) {
   bool finite = allFinite(both.value.data(), 75) && allFinite(value.data(), 27);
   for (const RadianceSH<5>& slope : both.gradient.d) finite = finite && allFinite(slope.data(), 75);
   finite = finite && std::isfinite(exact.r) && std::isfinite(exact.g) && std::isfinite(exact.b);
+  const NearLight near = nearLight(light);
+  const Rgb runtime[] = {nearIrradiance(near, p, n, wrap), cheapIrradiance(near, p, n),
+                         correctorIrradiance(near, p, n, nearWrap(wrap))};
+  finite = finite && allFinite(&runtime[0].r, 9);
   EXPECT_TRUE(finite) << describe(light) << ", p " << describe(p) << ", n " << describe(n) << ", wrap "
                       << describe(wrap) << "\n  q0 " << describe(both.value[0]) << ", gradient of it "
                       << describe(both.gradient.d[0][0]) << describe(both.gradient.d[1][0])

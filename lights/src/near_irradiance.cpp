@@ -1,0 +1,120 @@
+// Sphere lights at a point, in float. Only the vector to the light and d^2 - r^2 are formed in double: they decide how
+// far a light that nearly touches reaches beyond the horizon. (Where there is no double, a compensated pair does.)
+#include <rigel/near_light.h>
+#include <rigel/project.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "near_cap.h"
+#include "vec3d.h"
+
+namespace rigel {
+namespace {
+
+using detail::kPiFloat;
+
+/// A light as one receiver sees it: outside s = r/d, inside s = d/r; the irradiance is `scale` times the light's colour
+/// times a function of x, s and c.
+struct NearView {
+  float x = 0;
+  float s = 0;
+  float c = 1;
+  bool inside = false;
+  float scale = 0;
+};
+
+float held(float value) noexcept { return std::clamp(value, -kMaxProjectionScale, kMaxProjectionScale); }
+
+Rgb scaled(Rgb colour, float factor) noexcept {
+  // Also false for NaN.
+  if (!(std::abs(factor) > 0)) return {};
+  return {held(colour.r * factor), held(colour.g * factor), held(colour.b * factor)};
+}
+
+float rangeWindow(float d, float range) noexcept {
+  const float ratio = d / range;
+  const float square = ratio * ratio;
+  const float u = std::max(0.0f, 1 - square * square);
+  return u * u;
+}
+
+float spotCone(const NearLight& light, Vec3 w, const NearView& view) noexcept {
+  const float cosine = -dot(w, light.axis) * (view.inside ? view.s : 1.0f);
+  const float width = std::max(light.cosInner - light.cosOuter, kMinConeWidth);
+  const float t = std::clamp((cosine - light.cosOuter) / width, 0.0f, 1.0f);
+  return t * t * (3 - 2 * t);
+}
+
+NearView viewLocal(const NearLight& light, Vec3 p, Vec3 n) noexcept {
+  NearView view;
+  const detail::Vec3d toCentre = detail::widen(light.position) - detail::widen(p);
+  const double r2 = static_cast<double>(light.radius) * light.radius;
+  const double d2 = detail::dot(toCentre, toCentre);
+  const double reach2 = std::max(d2, r2);
+  const double distance = std::sqrt(d2);
+  const auto d = static_cast<float>(distance);
+  const float reach = std::max(d, light.radius);
+  if (!(reach > 0 && reach <= std::numeric_limits<float>::max())) return view;
+
+  const Vec3 w = distance > 0 ? detail::narrow(toCentre * (1 / distance)) : Vec3{0, 0, 1};
+  view.x = std::clamp(dot(n, w), -1.0f, 1.0f);
+  view.inside = d2 < r2;
+  view.s = std::min(d, light.radius) / reach;
+  view.c = std::sqrt(static_cast<float>(std::abs(d2 - r2) / reach2));
+  if (light.kind == NearLight::Kind::sphere) {
+    view.scale = kPiFloat * (view.inside ? 1.0f : view.s * view.s);
+    return view;
+  }
+  view.scale = rangeWindow(d, light.range) / reach / reach;
+  if (light.kind == NearLight::Kind::spot) view.scale *= spotCone(light, w, view);
+  return view;
+}
+
+/// A directional light is a sphere of no size.
+NearView viewOf(const NearLight& light, Vec3 p, Vec3 n) noexcept {
+  if (light.kind != NearLight::Kind::directional) return viewLocal(light, p, n);
+  NearView view;
+  view.x = std::clamp(dot(n, light.position), -1.0f, 1.0f);
+  view.scale = 1;
+  return view;
+}
+
+/// `cap(x, s, c)` outside; inside the whole sphere less a cap on the other side.
+template <class Cap>
+float outsideOrIn(const NearView& view, float wholeSphere, const Cap& cap) noexcept {
+  if (!view.inside) return cap(view.x, view.s, view.c);
+  return wholeSphere - view.s * view.s * cap(-view.x, view.s, view.c);
+}
+
+}  // namespace
+
+Rgb nearIrradiance(const NearLight& light, Vec3 p, Vec3 n, const NearWrap& wrap) noexcept {
+  const NearView view = viewOf(light, p, n);
+  const float e = wrap.a == 0 ? outsideOrIn(view, 1, detail::lambertCap)
+                              : outsideOrIn(view, 4 * wrap.band[0], [&](float x, float s, float c) noexcept {
+                                  return detail::wrapCap(x, s, c, wrap);
+                                });
+  return scaled(light.colour, light.share * view.scale * e);
+}
+
+Rgb nearIrradiance(const NearLight& light, Vec3 p, Vec3 n, float wrap) noexcept {
+  return nearIrradiance(light, p, n, wrap == 0 ? NearWrap{} : nearWrap(wrap));
+}
+
+Rgb cheapIrradiance(const NearLight& light, Vec3 p, Vec3 n) noexcept {
+  const NearView view = viewOf(light, p, n);
+  const float e = outsideOrIn(
+      view, 1, [](float x, float s, float c) noexcept { return detail::lambertCapCheap(x, std::max(s, 1e-6f), c); });
+  return scaled(light.colour, light.share * view.scale * e);
+}
+
+Rgb correctorIrradiance(const NearLight& light, Vec3 p, Vec3 n, const NearWrap& wrap) noexcept {
+  const NearView view = viewOf(light, p, n);
+  if (view.inside) return {};
+  const float share = detail::highBandShare(view.s * view.s);
+  return scaled(light.colour, light.share * view.scale * share * detail::kernelAboveBand2(view.x, wrap));
+}
+
+}  // namespace rigel
