@@ -109,8 +109,9 @@ std::vector<tools::LightUse> lightUses(const std::vector<tools::LightRow>& rows,
     }
     if (!passes || !choosing) use.weights.clear();
     if (i > 12 || !choosing) use.bounds.clear();
-    use.why = passes && choosing ? "near in frames 12-18: its bound reaches 32.0 % of the mean light (target 5.00 %)"
-                                 : "far: its bound reaches no more than 0.66 % of the mean light (target 5.00 %)";
+    use.why = passes && choosing
+                  ? "near in frames 12-18: in the rig it could be wrong by 32.0 % of the mean light (target 5.00 %)"
+                  : "far: in the rig it is wrong by at most 0.66 % of the mean light";
   }
   return uses;
 }

@@ -67,14 +67,15 @@ class Photographer {
 
   const std::vector<Rgb>& truth() const { return exact_; }
 
-  /// Irradiance at every sample as `rig`, fitted to this frame, gives it: clamped, scenery by the truth.
+  /// Irradiance at every sample as `rig`, fitted to this frame, gives it: clamped, scenery by the truth. Near lights
+  /// that fade after a switch or a teleport are shown as they end up.
   std::vector<Rgb> irradianceOf(RigRunner& rig, const LightSet& lights) const {
-    rig.fit(run_.object(), posed_, lights);
-    std::vector<Rgb> shaded(points_.size());
+    rig.reset();
+    rig.fit(run_.object(), posed_, lights, 0);
+    std::vector<RigRunner::Shaded> shaded(points_.size());
     rig.shade(points_, wraps_, shaded);
     std::vector<Rgb> all = exact_;
-    for (std::size_t i = 0; i < shaded.size(); ++i)
-      for (int c = 0; c < 3; ++c) all[objectSamples_[i]][c] = std::max(0.0f, shaded[i][c]);
+    for (std::size_t i = 0; i < shaded.size(); ++i) all[objectSamples_[i]] = shaded[i].clamped();
     return all;
   }
 

@@ -30,8 +30,14 @@ std::string framesWith(const LightUse& use, LightRole role, std::span<const int>
     first = end;
   }
   text = (several ? "in frames " : "in frame ") + text;
-  if (stretches > kNamed) text += fmt::format(" and {} more stretches", stretches - kNamed);
+  if (stretches > kNamed) text += " and " + counted(stretches - kNamed, "more stretch", "more stretches");
   return text;
+}
+
+/// "32.0 % of the mean light", "551 times the mean light".
+std::string ofMeanLight(double relative) {
+  return relative < 10 ? percent(relative) + " of the mean light"
+                       : fmt::format("{:.0f} times the mean light", relative);
 }
 
 std::string goalOf(const LightingOptions& asked) {
@@ -48,12 +54,13 @@ std::string goalOf(const LightingOptions& asked) {
 }
 
 std::string whyFar(const LightUse& use, const LightingOptions& asked) {
-  if (asked.nearSlots == 0 && asked.target.kind == Kind::none)
-    return use.bound > 0 ? fmt::format("far: every light is left in the rig (bound up to {})", percent(use.bound))
-                         : "far: every light is left in the rig";
   if (use.bound == 0) return "far: the rig holds it without error";
-  return fmt::format("far: its bound reaches no more than {} of the mean light ({})", percent(use.bound),
-                     goalOf(asked));
+  const std::string error = fmt::format("far: in the rig it is wrong by at most {}", ofMeanLight(use.bound));
+  if (asked.target.kind == Kind::none)
+    return error + (asked.nearSlots == 0 ? "; no light is evaluated apart" : "; others come before it");
+  const bool budget = asked.target.kind == Kind::budget;
+  if (!budget && use.bound <= static_cast<double>(asked.target.value)) return error;
+  return fmt::format("{}, and the {} is {} without it", error, budget ? "budget" : "target", budget ? "spent" : "met");
 }
 
 std::string whyOf(const LightUse& use, const LightLogContext& context) {
@@ -63,15 +70,13 @@ std::string whyOf(const LightUse& use, const LightLogContext& context) {
   if (culled == static_cast<int>(use.roles.size()))
     return "culled: it gives this object nothing in any frame (out of range, outside its cone, or black)";
   std::string why;
-  if (near > 0) {
-    why = fmt::format("near {}: its bound reaches {} of the mean light ({})", frames(LightRole::near),
-                      percent(use.bound), goalOf(context.asked));
-    if (blended > 0) why += "; blended " + frames(LightRole::blended);
-  } else if (blended > 0) {
-    why = fmt::format("partly near {}: its bound reaches {} of the mean light ({})", frames(LightRole::blended),
-                      percent(use.bound), goalOf(context.asked));
-  } else {
+  if (near + blended == 0) {
     why = whyFar(use, context.asked);
+  } else {
+    why = fmt::format("{} {}: in the rig it could be wrong by {} ({})", near > 0 ? "near" : "partly near",
+                      frames(near > 0 ? LightRole::near : LightRole::blended), ofMeanLight(use.bound),
+                      goalOf(context.asked));
+    if (near > 0 && blended > 0) why += "; partly " + frames(LightRole::blended);
   }
   if (culled > 0) why += "; gives nothing " + frames(LightRole::culled);
   return why;

@@ -2,28 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <map>
 #include <numeric>
 
 namespace rigel::tools {
 namespace {
 
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
-
-/// `of` is a member of FitTimes, or a function of it.
-template <class Of>
-double medianOf(const std::vector<FitTimes>& times, Of of) {
-  std::vector<double> values;
-  for (const FitTimes& t : times) values.push_back(std::invoke(of, t));
-  return median(std::move(values));
-}
-
 double square(double x) { return x * x; }
+
+/// The wrap of most of the surface: what bounds and estimates are made for where materials differ.
+float commonWrap(std::span<const float> wraps) {
+  std::map<float, int> counts;
+  for (const float wrap : wraps) ++counts[wrap];
+  return std::ranges::max_element(counts, {}, [](const auto& entry) { return entry.second; })->first;
+}
 
 }  // namespace
 
@@ -32,64 +24,71 @@ Result<ObjectRun> ObjectRun::create(const SceneObject& object, const PosedObject
   ObjectRun run(object);
   run.bands_ = options.bands;
   run.timings_ = timings;
+  run.rate_ = options.rate;
   auto surface = chooseSurface(object, rest, options.samples, options.wrap);
   if (!surface) return surface.error();
   run.surface_ = *std::move(surface);
   for (const RigSpec& spec : options.rigs) {
-    auto runner = makeRigRunner(spec, options.bands, object, rest, run.surface_);
+    LightingOptions asked = lightingOptions(spec, options);
+    asked.wrap = commonWrap(run.surface_.wrap);
+    auto runner = makeRigRunner(spec, asked, options.bands, object, rest, run.surface_);
     if (!runner) return runner.error();
     run.runners_.push_back(*std::move(runner));
+    run.tallies_.emplace_back(asked);
+    run.asked_.push_back(choiceOptions(spec, options));
   }
-  run.tallies_.resize(options.rigs.size());
   run.shaded_.resize(run.surface_.measured.size());
   return run;
 }
 
-void ObjectRun::measure(double time, bool followsOn, const PosedObject& posed, const LightSet& lights) {
+void ObjectRun::survey(const PosedObject& posed, const LightSet& lights) {
+  surveyed_.push_back(quickMean(*object_, posed, surface_, lights));
+}
+
+void ObjectRun::setReference() {
+  if (surveyed_.empty()) return;
+  const double mean = std::accumulate(surveyed_.begin(), surveyed_.end(), 0.0) / static_cast<double>(surveyed_.size());
+  for (const auto& runner : runners_) runner->setReference(static_cast<float>(mean));
+}
+
+void ObjectRun::measure(const RunFrame& frame, const PosedObject& posed, const LightSet& lights) {
+  if (frames_.empty()) setReference();
   truth_.update(*object_, posed, surface_, lights, bands_);
-  followsOn = followsOn && !frames_.empty();
-  FrameTruth frame{time, truth_.mean, {}};
+  const bool followsOn = frame.followsOn && !frames_.empty();
+  FrameTruth& truth = frames_.emplace_back(FrameTruth{truth_.mean, {}});
+  numbers_.push_back(frame.number);
+  times_.push_back(frame.time);
   if (followsOn) {
     double squares = 0;
     for (std::size_t i = 0; i < previousExact_.size(); ++i)
       for (int c = 0; c < 3; ++c) squares += square(truth_.exact[i][c] - previousExact_[i][c]);
-    frame.movementSquares = squares;
+    truth.movementSquares = squares;
   }
   previousExact_ = truth_.exact;
-  frames_.push_back(frame);
-
-  for (std::size_t r = 0; r < runners_.size(); ++r) {
-    for (int i = 0; i < timings_; ++i) {
-      tallies_[r].fitTimes.push_back(runners_[r]->fit(*object_, posed, lights));
-      tallies_[r].shadeTimes.push_back(runners_[r]->shade(truth_.points, surface_.wrap, shaded_));
-    }
-    compare(tallies_[r], shaded_, followsOn);
-    tallies_[r].condition = std::max(tallies_[r].condition, runners_[r]->rig().condition());
-  }
+  for (std::size_t r = 0; r < runners_.size(); ++r)
+    measureRig(r, static_cast<float>(1 / rate_), followsOn, posed, lights);
 }
 
-void ObjectRun::compare(Tally& tally, std::span<const Rgb> shaded, bool followsOn) const {
-  std::swap(tally.error, tally.previousError);
-  tally.error.resize(shaded.size());
-  double spatial = 0;
-  double total = 0;
-  double jump = 0;
-  for (std::size_t i = 0; i < shaded.size(); ++i) {
-    for (int c = 0; c < 3; ++c) {
-      const double spatialError = static_cast<double>(shaded[i][c]) - static_cast<double>(truth_.sh[i][c]);
-      const double totalError = std::max(0.0, static_cast<double>(shaded[i][c])) - truth_.exact[i][c];
-      spatial += square(spatialError);
-      total += square(totalError);
-      tally.spatialMax = std::max(tally.spatialMax, std::abs(spatialError));
-      tally.totalMax = std::max(tally.totalMax, std::abs(totalError));
-      tally.error[i][c] = static_cast<float>(totalError);
-      if (followsOn)
-        jump = std::max(jump, static_cast<double>(std::abs(tally.error[i][c] - tally.previousError[i][c])));
-    }
+void ObjectRun::measureRig(std::size_t r, float seconds, bool followsOn, const PosedObject& posed,
+                           const LightSet& lights) {
+  // Timing a frame again must not let anything fade further.
+  constexpr float kNoTime = 1e-9f;
+  RigRunner& runner = *runners_[r];
+  if (!followsOn) runner.reset();
+  for (int i = 0; i < timings_; ++i) {
+    const FitTimes fit = runner.fit(*object_, posed, lights, i == 0 ? seconds : kNoTime);
+    tallies_[r].addTiming(fit, runner.shade(truth_.points, surface_.wrap, shaded_));
   }
-  if (followsOn) tally.maxJump = std::max(tally.maxJump.value_or(0), jump);
-  tally.spatialSquares.push_back(spatial);
-  tally.totalSquares.push_back(total);
+  tallies_[r].addFrame(runner, shaded_, truth_, shOfFarShares(runner, lights), surface_.wrap, followsOn);
+}
+
+std::span<const Rgb> ObjectRun::shOfFarShares(const RigRunner& rig, const LightSet& lights) {
+  weights_.clear();
+  for (const LightVerdict& verdict : rig.verdicts()) weights_.push_back(verdict.weight);
+  if (std::ranges::all_of(weights_, [](float w) { return w == 0; })) return truth_.sh;
+  splitLights(lights, weights_, far_, near_);
+  truth_.project(far_, surface_, bands_, farSh_);
+  return farSh_;
 }
 
 double ObjectRun::meanIrradiance() const {
@@ -103,7 +102,7 @@ std::size_t ObjectRun::worstFrame() const {
   double worstSum = -1;
   for (std::size_t f = 0; f < frames_.size(); ++f) {
     double sum = 0;
-    for (const Tally& tally : tallies_) sum += std::sqrt(tally.totalSquares[f]);
+    for (const RigTally& tally : tallies_) sum += tally.totalError(f);
     if (sum > worstSum) {
       worstSum = sum;
       worst = f;
@@ -112,43 +111,7 @@ std::size_t ObjectRun::worstFrame() const {
   return worst;
 }
 
-RigReport ObjectRun::rigReport(std::size_t r, double mean) const {
-  const Tally& tally = tallies_[r];
-  const Rig& rig = runners_[r]->rig();
-  const double scale = mean > 0 ? 1 / mean : 0;
-  const double channels = 3 * static_cast<double>(surface_.measured.size());
-  const auto pooled = [&](const std::vector<double>& squares) {
-    return scale * std::sqrt(std::accumulate(squares.begin(), squares.end(), 0.0) /
-                             (channels * static_cast<double>(std::max<std::size_t>(1, squares.size()))));
-  };
-
-  RigReport out;
-  out.spec = rig.spec().text;
-  out.shVectors = rig.shVectors();
-  out.projections = rig.projections();
-  out.spatial = {pooled(tally.spatialSquares), scale * tally.spatialMax};
-  out.total = {pooled(tally.totalSquares), scale * tally.totalMax};
-  out.bytes = runners_[r]->bytes();
-  if (tally.maxJump) out.maxJump = scale * *tally.maxJump;
-  out.condition = tally.condition;
-  const double shade = median(tally.shadeTimes);
-  out.stages = {{"refresh", medianOf(tally.fitTimes, &FitTimes::refresh)},
-                {"project", medianOf(tally.fitTimes, &FitTimes::project)},
-                {"fit", medianOf(tally.fitTimes, &FitTimes::fit)},
-                {"shade", shade}};
-  out.fitMicroseconds = medianOf(tally.fitTimes, &FitTimes::sum);
-  out.shadeNanosecondsPerPoint = 1000 * shade / static_cast<double>(surface_.measured.size());
-  for (std::size_t f = 0; f < frames_.size(); ++f) {
-    RigFrame& frame = out.frames.emplace_back();
-    frame.time = frames_[f].time;
-    frame.spatialRms = scale * std::sqrt(tally.spatialSquares[f] / channels);
-    frame.totalRms = scale * std::sqrt(tally.totalSquares[f] / channels);
-    frame.shVectors = rig.shVectors();
-  }
-  return out;
-}
-
-ObjectReport ObjectRun::report() const {
+ObjectReport ObjectRun::report(std::span<const LightRow> lights) const {
   ObjectReport out;
   out.name = object_->name;
   out.triangles = static_cast<int>(object_->triangles.size());
@@ -156,11 +119,14 @@ ObjectReport ObjectRun::report() const {
   out.meanIrradiance = meanIrradiance();
   const double scale = out.meanIrradiance > 0 ? 1 / out.meanIrradiance : 0;
   const double channels = 3 * static_cast<double>(surface_.measured.size());
-  for (const FrameTruth& frame : frames_) {
-    TruthFrame& truth = out.truth.emplace_back(TruthFrame{frame.time, frame.mean, {}});
-    if (frame.movementSquares) truth.movement = scale * std::sqrt(*frame.movementSquares / channels);
+  for (std::size_t f = 0; f < frames_.size(); ++f) {
+    TruthFrame& truth = out.truth.emplace_back(TruthFrame{times_[f], frames_[f].mean, {}});
+    if (frames_[f].movementSquares) truth.movement = scale * std::sqrt(*frames_[f].movementSquares / channels);
   }
-  for (std::size_t r = 0; r < runners_.size(); ++r) out.rigs.push_back(rigReport(r, out.meanIrradiance));
+  for (std::size_t r = 0; r < runners_.size(); ++r) {
+    out.rigs.push_back(tallies_[r].report(*runners_[r], {times_, numbers_, lights, out.meanIrradiance}));
+    out.rigs.back().asked = asked_[r];
+  }
   return out;
 }
 

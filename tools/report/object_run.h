@@ -1,11 +1,17 @@
 // Measures all rigs of one object over the frames of a run.
 #pragma once
 
-#include "report/report_data.h"
-#include "report/rig_runner.h"
+#include "report/rig_tally.h"
 #include "report/run_options.h"
 
 namespace rigel::tools {
+
+/// A frame of a run as its object sees it.
+struct RunFrame {
+  int number = 0;
+  double time = 0;         // s
+  bool followsOn = false;  // comes right after the last (Timeline::followsOn), so that what changed is movement
+};
 
 class ObjectRun {
  public:
@@ -14,13 +20,16 @@ class ObjectRun {
   static Result<ObjectRun> create(const SceneObject& object, const PosedObject& rest, const RunOptions& options,
                                   int timings);
 
-  /// Fits, evaluates and compares every rig in one frame. Frames come in the order of time; `followsOn` says that this
-  /// one comes right after the last (Timeline::followsOn), so that what changed is movement.
-  void measure(double time, bool followsOn, const PosedObject& posed, const LightSet& lights);
+  /// Before the first frame is measured: what a few frames of the run give the object, for the scale of the errors that
+  /// rigs expect and aim at.
+  void survey(const PosedObject& posed, const LightSet& lights);
 
-  /// The figures so far. Errors are relative to the mean exact irradiance of the run; where that is 0 (no light reaches
-  /// the object) they are 0.
-  ObjectReport report() const;
+  /// Fits, evaluates and compares every rig in one frame. Frames come in the order of time.
+  void measure(const RunFrame& frame, const PosedObject& posed, const LightSet& lights);
+
+  /// The figures so far; `lights` in the order of the sets measured. Errors are relative to the mean exact irradiance
+  /// of the run; where that is 0 (no light reaches the object) they are 0.
+  ObjectReport report(std::span<const LightRow> lights) const;
 
   /// Index of the frame in which the rigs, taken together, are worst.
   std::size_t worstFrame() const;
@@ -31,34 +40,36 @@ class ObjectRun {
   double meanIrradiance() const;
 
  private:
-  /// Sums of squared differences [W/m2]^2 of one rig, per frame, and their extremes.
-  struct Tally {
-    std::vector<double> spatialSquares, totalSquares;
-    std::vector<FitTimes> fitTimes;
-    std::vector<double> shadeTimes;
-    double spatialMax = 0, totalMax = 0, condition = 1;
-    std::optional<double> maxJump;
-    std::vector<Rgb> error, previousError;  // clamped rig - exact at each point
-  };
   struct FrameTruth {
-    double time = 0, mean = 0;
+    double mean = 0;
     std::optional<double> movementSquares;
   };
 
   explicit ObjectRun(const SceneObject& object) : object_(&object) {}
-  void compare(Tally& tally, std::span<const Rgb> shaded, bool followsOn) const;
-  RigReport rigReport(std::size_t rig, double mean) const;
+  void setReference();
+  void measureRig(std::size_t rig, float seconds, bool followsOn, const PosedObject& posed, const LightSet& lights);
+  std::span<const Rgb> shOfFarShares(const RigRunner& rig, const LightSet& lights);
 
   const SceneObject* object_;
   int bands_ = 3;
   int timings_ = 1;
+  double rate_ = kDefaultRate;
   SurfaceSet surface_;
+  std::vector<double> surveyed_;
   std::vector<std::unique_ptr<RigRunner>> runners_;
-  std::vector<Tally> tallies_;
+  std::vector<RigTally> tallies_;
+  std::vector<std::string> asked_;  // per rig, the options that govern its choices
+  std::vector<int> numbers_;        // per frame
+  std::vector<double> times_;       // per frame
   std::vector<FrameTruth> frames_;
   Truth truth_;
   std::vector<RgbD> previousExact_;
-  std::vector<Rgb> shaded_;
+  std::vector<RigRunner::Shaded> shaded_;
+
+  LightSet far_;  // working memory of shOfFarShares
+  std::vector<NearLight> near_;
+  std::vector<float> weights_;
+  std::vector<Rgb> farSh_;
 };
 
 }  // namespace rigel::tools

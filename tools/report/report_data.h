@@ -62,6 +62,7 @@ struct RigReport {
   double fitMicroseconds = 0;  // median over frames of all stages but shading
   double shadeNanosecondsPerPoint = 0;
   double modelledNanoseconds = 0;  // a shaded point, by the cost model; mean over the frames
+  int highBandFrames = 0;          // in which the rig held a constant band beyond its own
   std::size_t bytes = 0;           // of the frame with the most SH vectors
   /// Popping: the largest change of the error, at any sample and channel, between frames that follow on each other
   /// (numbered one apart, no clip starting over). Empty where no two of the frames do.

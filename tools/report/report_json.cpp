@@ -119,6 +119,7 @@ class Writer {
                    {"fit_us", number(report.fitMicroseconds, "fit_us")},
                    {"shade_ns_per_point", number(report.shadeNanosecondsPerPoint, "shade_ns_per_point")},
                    {"modelled_ns_per_point", number(report.modelledNanoseconds, "modelled_ns_per_point")},
+                   {"high_band_frames", report.highBandFrames},
                    {"bytes", report.bytes},
                    {"max_jump", numberOrNull(report.maxJump, "max_jump")},
                    {"condition", number(report.condition, "condition")}};

@@ -7,82 +7,122 @@
 namespace rigel::tools {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+/// Laps of a frame: the library says when a stage has ended, the clock is ours.
+class StageClock {
+ public:
+  explicit StageClock(FitTimes& times) : times_(times) {}
 
-/// Microseconds since `from`, which moves on to now.
-double lap(Clock::time_point& from) {
-  const auto now = Clock::now();
-  const double microseconds = std::chrono::duration<double, std::micro>(now - from).count();
-  from = now;
-  return microseconds;
-}
+  LightingProbe probe() {
+    return {[](void* clock, LightingStage stage) { static_cast<StageClock*>(clock)->ended(stageOf(stage)); }, this};
+  }
+
+  void ended(FitTimes::Stage stage) {
+    const auto now = Clock::now();
+    auto& time = times_.stages[stage];
+    time = time.value_or(0) + std::chrono::duration<double, std::micro>(now - last_).count();
+    last_ = now;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  static FitTimes::Stage stageOf(LightingStage stage) {
+    switch (stage) {
+      case LightingStage::bound:
+        return FitTimes::kBound;
+      case LightingStage::choose:
+        return FitTimes::kChoose;
+      case LightingStage::project:
+        return FitTimes::kProject;
+      case LightingStage::fit:
+        return FitTimes::kFit;
+      case LightingStage::estimate:
+        break;
+    }
+    return FitTimes::kEstimate;
+  }
+
+  FitTimes& times_;
+  Clock::time_point last_ = Clock::now();
+};
 
 template <int B>
 class RunnerOf final : public RigRunner {
  public:
-  RunnerOf(Rig rig, const SurfaceSet& surface) : rig_(std::move(rig)) {
-    for (int i : rig_.anchors()) anchorPoints_.push_back(surface.candidates[i]);
+  RunnerOf(ObjectLighting<B> lighting, const SurfaceSet& surface) : lighting_(std::move(lighting)) {
+    for (int i : lighting_.anchors()) anchorPoints_.push_back(surface.candidates[i]);
     anchors_.resize(anchorPoints_.size());
-    functionals_.resize(rig_.projections());
-    coefficients_.resize(rig_.shVectors());
   }
 
-  FitTimes fit(const SceneObject& object, const PosedObject& posed, const LightSet& lights) override {
-    frame_ = rigidFrame(posed.worldFromRig);
-    const RigBox box = rigBox(frame_, posed);  // an engine has its bounds already: not part of the rig's time
+  void setReference(float irradiance) override { lighting_.options().reference = irradiance; }
+  void reset() override { lighting_.reset(); }
+
+  FitTimes fit(const SceneObject& object, const PosedObject& posed, const LightSet& lights, float seconds) override {
+    const RigFrame frame = rigidFrame(posed.worldFromRig);
+    const RigBox box = rigBox(frame, posed);  // an engine has its bounds already: not part of the rig's time
     FitTimes times;
-    auto clock = Clock::now();
+    StageClock clock(times);
     for (std::size_t i = 0; i < anchors_.size(); ++i)
-      anchors_[i] = frame_.inversePoint(surfacePosition(object, posed, anchorPoints_[i]));
-    rig_.setPose({box, anchors_});
-    times.refresh = lap(clock);
-    projectSamples<B>(rig_, frame_, lights, functionals_);
-    times.project = lap(clock);
-    fitRig<B>(rig_, functionals_, coefficients_);
-    times.fit = lap(clock);
+      anchors_[i] = frame.inversePoint(surfacePosition(object, posed, anchorPoints_[i]));
+    lighting_.setPose({box, anchors_}, frame);
+    clock.ended(FitTimes::kRefresh);
+    lighting_.light(lights, seconds, {}, clock.probe());
     return times;
   }
 
-  double shade(std::span<const PointAndNormal> points, std::span<const float> wrap, std::span<Rgb> out) override {
-    auto clock = Clock::now();
+  double shade(std::span<const PointAndNormal> points, std::span<const float> wrap, std::span<Shaded> out) override {
+    const auto start = std::chrono::steady_clock::now();
     std::array<float, B> f = wrapCoefficients<B>(0);
     float fWrap = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (wrap[i] != fWrap) f = wrapCoefficients<B>(fWrap = wrap[i]);
-      const Vec3 p = frame_.inversePoint(points[i].position);
-      out[i] = irradiance<B>(evaluateRig<B>(rig_, coefficients_, p), f, points[i].normal);
+      const auto parts = lighting_.shade(points[i].position, points[i].normal, f, wrap[i]);
+      out[i] = {parts.rig, parts.near};
     }
-    return lap(clock);
+    return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
   }
 
-  const Rig& rig() const override { return rig_; }
+  bool hasHighBand() const override { return lighting_.highBand().band >= B; }
+  Rgb highBand(Vec3 normal, float wrap) const override {
+    const auto& high = lighting_.highBand();
+    float y[shCount(kMaxBands)];
+    shBasis<kMaxBands>(normal, y);
+    Rgb sum;
+    for (int m = 0; m < 2 * high.band + 1; ++m) sum += high.c[m] * y[high.band * high.band + m];
+    return sum * (static_cast<float>(kPi) * wrapCoefficients<kMaxBands>(wrap)[high.band]);
+  }
+
+  int shVectors() const override { return static_cast<int>(lighting_.coefficients().size()); }
   std::size_t bytes() const override {
     // As the shaders read them: an SH vector starts on a vec4.
     constexpr std::size_t kVec4 = 4 * sizeof(float);
-    return coefficients_.size() * ((sizeof(RadianceSH<B>) + kVec4 - 1) / kVec4 * kVec4);
+    return lighting_.coefficients().size() * ((sizeof(RadianceSH<B>) + kVec4 - 1) / kVec4 * kVec4);
   }
+  std::span<const LightVerdict> verdicts() const override { return lighting_.verdicts(); }
+  std::optional<float> spatialEstimate() const override { return lighting_.spatialEstimate(); }
+  std::optional<float> totalEstimate() const override { return lighting_.totalEstimate(); }
+  float modelledNanoseconds() const override { return lighting_.modelledNanoseconds(); }
+  const Rig& rig() const override { return lighting_.rig(); }
 
  private:
-  Rig rig_;
-  RigFrame frame_;
+  ObjectLighting<B> lighting_;
   std::vector<SurfacePoint> anchorPoints_;
   std::vector<Vec3> anchors_;  // rig frame
-  std::vector<RadianceSH<B>> functionals_;
-  std::vector<RadianceSH<B>> coefficients_;
 };
 
 }  // namespace
 
-Result<std::unique_ptr<RigRunner>> makeRigRunner(const RigSpec& spec, int bands, const SceneObject& object,
-                                                 const PosedObject& rest, const SurfaceSet& surface) {
+Result<std::unique_ptr<RigRunner>> makeRigRunner(const RigSpec& spec, const LightingOptions& asked, int bands,
+                                                 const SceneObject& object, const PosedObject& rest,
+                                                 const SurfaceSet& surface) {
   const RigFrame frame = rigidFrame(rest.worldFromRig);
   std::vector<Vec3> points;
   for (const SurfacePoint& candidate : surface.candidates)
     points.push_back(frame.inversePoint(surfacePosition(object, rest, candidate)));
-  auto rig = Rig::create(spec, {rigBox(frame, rest), points});
-  if (!rig) return Error{rig.error().line(), "object '" + object.name + "'"};
-  return withBands(bands, [&]<int B>() -> std::unique_ptr<RigRunner> {
-    return std::make_unique<RunnerOf<B>>(*std::move(rig), surface);
+  return withBands(bands, [&]<int B>() -> Result<std::unique_ptr<RigRunner>> {
+    auto lighting = ObjectLighting<B>::create(spec, {rigBox(frame, rest), points}, asked);
+    if (!lighting) return Error{lighting.error().line(), "object '" + object.name + "'"};
+    return std::unique_ptr<RigRunner>(std::make_unique<RunnerOf<B>>(*std::move(lighting), surface));
   });
 }
 

@@ -1,38 +1,63 @@
-// One rig of one object through the frames of a run: fitted, evaluated, timed.
+// One rig of one object through the frames of a run: lit, evaluated, timed.
 #pragma once
 
 #include "report/truth.h"
+
+#include <rigel/object_lighting.h>
 
 #include <memory>
 
 namespace rigel::tools {
 
-/// Microseconds of the stages of a fit, one after another on one thread.
+/// Microseconds of a frame's stages, one after another on one thread; empty for those that did not run.
 struct FitTimes {
-  double refresh = 0;  // anchors to the pose, samples and operator
-  double project = 0;  // lights into the samples
-  double fit = 0;      // c = P F
+  enum Stage { kRefresh, kBound, kChoose, kProject, kFit, kEstimate, kStages };
+  static constexpr const char* kNames[kStages] = {"refresh", "bound", "choose", "project", "fit", "estimate"};
 
-  double sum() const { return refresh + project + fit; }
+  std::array<std::optional<double>, kStages> stages;
 };
 
-/// Type-erased over the number of bands. Holds the pose and the lights of its last fit and nothing else that changes.
+/// Type-erased over the number of bands. Near lights fade with the frames it is shown (reset, fit).
 class RigRunner {
  public:
   virtual ~RigRunner() = default;
 
-  /// Poses and fits the rig. `posed` is in world space.
-  virtual FitTimes fit(const SceneObject& object, const PosedObject& posed, const LightSet& lights) = 0;
+  /// What errors are relative to [W/m2]; 0 leaves it to each frame.
+  virtual void setReference(float irradiance) = 0;
 
-  /// Unclamped irradiance at points with their wraps. Returns the microseconds it took.
-  virtual double shade(std::span<const PointAndNormal> points, std::span<const float> wrap, std::span<Rgb> out) = 0;
+  /// The next frame does not follow on the last: nothing fades.
+  virtual void reset() = 0;
+
+  /// Poses and lights the rig, `seconds` after the last time. `posed` is in world space.
+  virtual FitTimes fit(const SceneObject& object, const PosedObject& posed, const LightSet& lights, float seconds) = 0;
+
+  /// Irradiance of a point; the rig's part is not clamped.
+  struct Shaded {
+    Rgb rig, near;
+    Rgb clamped() const { return Rgb{std::max(0.0f, rig.r), std::max(0.0f, rig.g), std::max(0.0f, rig.b)} + near; }
+  };
+
+  /// At points with their wraps. Returns the microseconds it took.
+  virtual double shade(std::span<const PointAndNormal> points, std::span<const float> wrap, std::span<Shaded> out) = 0;
+
+  /// The part of Shaded::rig that lies beyond the rig's bands: no part of its spatial error.
+  virtual bool hasHighBand() const = 0;
+  virtual Rgb highBand(Vec3 normal, float wrap) const = 0;
+
+  // Of the last frame.
+  virtual int shVectors() const = 0;
+  virtual std::size_t bytes() const = 0;                       // of their float32 buffer
+  virtual std::span<const LightVerdict> verdicts() const = 0;  // in the order of the lights
+  virtual std::optional<float> spatialEstimate() const = 0;
+  virtual std::optional<float> totalEstimate() const = 0;
+  virtual float modelledNanoseconds() const = 0;  // a point
 
   virtual const Rig& rig() const = 0;
-  virtual std::size_t bytes() const = 0;  // of the float32 coefficient buffer
 };
 
-/// Error from Rig::create.
-Result<std::unique_ptr<RigRunner>> makeRigRunner(const RigSpec& spec, int bands, const SceneObject& object,
-                                                 const PosedObject& rest, const SurfaceSet& surface);
+/// Error from ObjectLighting::create.
+Result<std::unique_ptr<RigRunner>> makeRigRunner(const RigSpec& spec, const LightingOptions& asked, int bands,
+                                                 const SceneObject& object, const PosedObject& rest,
+                                                 const SurfaceSet& surface);
 
 }  // namespace rigel::tools

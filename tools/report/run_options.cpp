@@ -79,6 +79,14 @@ LightingOptions lightingOptions(const RigSpec& rig, const RunOptions& options) {
   return lighting;
 }
 
+std::string choiceOptions(const RigSpec& rig, const RunOptions& options) {
+  const NearChoice near = options.near.value_or(NearChoice{rig.adaptive, 0});
+  if (!near.automatic && near.slots == 0 && !rig.adaptive) return "";
+  std::string text = near.automatic ? "--near auto" : fmt::format("--near {}", near.slots);
+  if (chooses(rig, options)) text += " " + targetOption(options.target.value_or(kDefaultTarget));
+  return text;
+}
+
 std::string targetOption(const LightingTarget& target) {
   switch (target.kind) {
     case LightingTarget::Kind::spatialError:

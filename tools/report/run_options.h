@@ -67,6 +67,10 @@ bool chooses(const RigSpec& rig, const RunOptions& options);
 /// What is asked of one rig of the run. Reference irradiance and wrap are left for who knows the object.
 LightingOptions lightingOptions(const RigSpec& rig, const RunOptions& options);
 
+/// The options that govern what a rig chooses, as a user types them: "--near auto --error 0.05"; "" for a rig that
+/// chooses nothing and has no near lights.
+std::string choiceOptions(const RigSpec& rig, const RunOptions& options);
+
 /// The option that sets a target as a user types it: "--error 0.05".
 std::string targetOption(const LightingTarget& target);
 

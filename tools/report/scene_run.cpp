@@ -87,13 +87,14 @@ class SceneRun {
     }
     Stage stage(*scene_, timeline, transplant);
     PosedObject posed;
+    survey(timeline, stage, *runs);
     for (std::size_t f = 0; f < timeline.frames.size(); ++f) {
       const int frame = timeline.frames[f];
       progress(0.8 * static_cast<double>(f) / static_cast<double>(timeline.frames.size()), title(timeline));
       stage.pose(frame);
       for (ObjectRun& run : *runs) {
         poseObject(*scene_, run.object(), stage.nodes(), posed);
-        run.measure(timeline.time(frame), timeline.followsOn(f), posed, stage.lights().set);
+        run.measure({frame, timeline.time(frame), timeline.followsOn(f)}, posed, stage.lights().set);
       }
     }
 
@@ -106,12 +107,12 @@ class SceneRun {
     report.lights = describeLights(stage.lights());
     std::vector<float> wraps;
     for (const ObjectRun& run : *runs) {
-      report.objects.push_back(run.report());
+      report.objects.push_back(run.report(report.lights));
       if (run.meanIrradiance() <= 0)
         report.notes.push_back("no light reaches object '" + run.object().name + "': its errors are shown as 0");
       for (float wrap : run.object().triangleWrap) wraps.push_back(options_.wrap.value_or(wrap));
     }
-    report.effects = effectsOf(stage.lights().set, wraps);
+    report.effects = effectsOf(stage.lights().set, wraps, options_.rigs, report.objects);
 
     if (options_.images) {
       if (auto error = takePictures(timeline, stage, *runs, {imageDirectory, pictureNames}, report, progress))
@@ -151,6 +152,20 @@ class SceneRun {
       runs.push_back(*std::move(run));
     }
     return runs;
+  }
+
+  /// Shows the runs a few frames, spread over the timeline.
+  void survey(const Timeline& timeline, Stage& stage, std::vector<ObjectRun>& runs) const {
+    constexpr std::size_t kFrames = 64;
+    const std::size_t count = std::min(kFrames, timeline.frames.size());
+    PosedObject posed;
+    for (std::size_t k = 0; k < count; ++k) {
+      stage.pose(timeline.frames[k * timeline.frames.size() / count]);
+      for (ObjectRun& run : runs) {
+        poseObject(*scene_, run.object(), stage.nodes(), posed);
+        run.survey(posed, stage.lights().set);
+      }
+    }
   }
 
   /// The worst frame of each object; the middle one too where there are few objects.

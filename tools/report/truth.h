@@ -16,10 +16,17 @@ struct Truth {
   std::vector<Rgb> sh;      // irradiance of the point's own SH, unclamped: what a perfect rig would give
   double mean = 0;          // of `exact` over points and channels
 
+  /// Irradiance at the points of their own SH of `lights`, for rigs that leave part of the light to exact evaluation.
+  void project(const LightSet& lights, const SurfaceSet& surface, int bands, std::vector<Rgb>& out) const;
+
   /// Fills everything; uses all cores. Reuses the vectors.
   void update(const SceneObject& object, const PosedObject& posed, const SurfaceSet& surface, const LightSet& lights,
               int bands);
 };
+
+/// Mean exact irradiance over a few of an object's measured points: the scale of a run's errors before it is measured.
+double quickMean(const SceneObject& object, const PosedObject& posed, const SurfaceSet& surface,
+                 const LightSet& lights);
 
 /// Calls `f.template operator()<B>()` for a run-time band count from 2 to 5.
 template <class F>

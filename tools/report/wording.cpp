@@ -11,9 +11,11 @@ std::string percent(double relative) {
   return value >= 99.95 || value == 0 ? fmt::format("{:.0f} %", value) : fmt::format("{:#.3g} %", value);
 }
 
-std::string counted(double number, std::string_view noun) {
-  const bool whole = number == std::floor(number);
-  return fmt::format("{:.{}f} {}{}", number, whole ? 0 : 1, noun, number == 1 ? "" : "s");
+std::string counted(double number, std::string_view one, std::string_view many) {
+  const int digits = number == std::floor(number) ? 0 : 1;
+  if (number == 1) return fmt::format("1 {}", one);
+  return many.empty() ? fmt::format("{:.{}f} {}s", number, digits, one)
+                      : fmt::format("{:.{}f} {}", number, digits, many);
 }
 
 }  // namespace rigel::tools

@@ -10,6 +10,6 @@ namespace rigel::tools {
 std::string percent(double relative);
 
 /// "1 SH vector", "12 SH vectors", "3.4 SH vectors" (a mean).
-std::string counted(double number, std::string_view noun);
+std::string counted(double number, std::string_view one, std::string_view many = {});
 
 }  // namespace rigel::tools

@@ -1,0 +1,154 @@
+#include "report/rig_tally.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rigel::tools {
+namespace {
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+double square(double x) { return x * x; }
+
+std::optional<double> asDouble(std::optional<float> value) {
+  return value ? std::optional<double>(*value) : std::nullopt;
+}
+
+/// RMS over the frames of what each frame may have.
+template <class Of>
+std::optional<double> pooled(const std::vector<RigFrame>& frames, Of of) {
+  double squares = 0;
+  for (const RigFrame& frame : frames) {
+    if (!(frame.*of)) return std::nullopt;
+    squares += square(*(frame.*of));
+  }
+  return std::sqrt(squares / static_cast<double>(frames.size()));
+}
+
+}  // namespace
+
+void RigTally::addTiming(const FitTimes& fit, double shadeMicroseconds) {
+  fitTimes_.push_back(fit);
+  shadeTimes_.push_back(shadeMicroseconds);
+}
+
+void RigTally::addFrame(const RigRunner& rig, std::span<const RigRunner::Shaded> shaded, const Truth& truth,
+                        std::span<const Rgb> sh, std::span<const float> wrap, bool followsOn) {
+  Frame& frame = frames_.emplace_back();
+  frame.estimate = rig.spatialEstimate();
+  frame.totalEstimate = rig.totalEstimate();
+  frame.shVectors = rig.shVectors();
+  frame.modelledNanoseconds = rig.modelledNanoseconds();
+  const auto verdicts = rig.verdicts();
+  for (std::size_t i = 0; i < verdicts.size(); ++i)
+    if (verdicts[i].weight > 0) frame.near.push_back(static_cast<int>(i));
+  lights_.add(verdicts);
+  bytes_ = std::max(bytes_, rig.bytes());
+  condition_ = std::max(condition_, rig.rig().condition());
+
+  samples_ = shaded.size();
+  spatialError_.resize(samples_);
+  const bool highBand = rig.hasHighBand();
+  for (std::size_t i = 0; i < samples_; ++i) {
+    spatialError_[i] = shaded[i].rig - sh[i];
+    if (!highBand) continue;
+    const Rgb high = rig.highBand(truth.points[i].normal, wrap[i]);
+    frame.highBand = frame.highBand || high.r != 0 || high.g != 0 || high.b != 0;
+    spatialError_[i] = spatialError_[i] - high;
+  }
+  compare(frame, shaded, truth, followsOn);
+}
+
+void RigTally::compare(Frame& frame, std::span<const RigRunner::Shaded> shaded, const Truth& truth, bool followsOn) {
+  std::swap(error_, previousError_);
+  error_.resize(shaded.size());
+  double jump = 0;
+  for (std::size_t i = 0; i < shaded.size(); ++i) {
+    const Rgb clamped = shaded[i].clamped();
+    for (int c = 0; c < 3; ++c) {
+      const double spatial = static_cast<double>(spatialError_[i][c]);
+      const double total = static_cast<double>(clamped[c]) - truth.exact[i][c];
+      frame.spatialSquares += square(spatial);
+      frame.totalSquares += square(total);
+      spatialMax_ = std::max(spatialMax_, std::abs(spatial));
+      totalMax_ = std::max(totalMax_, std::abs(total));
+      error_[i][c] = static_cast<float>(total);
+      if (followsOn) jump = std::max(jump, static_cast<double>(std::abs(error_[i][c] - previousError_[i][c])));
+    }
+  }
+  if (followsOn) maxJump_ = std::max(maxJump_.value_or(0), jump);
+}
+
+double RigTally::totalError(std::size_t frame) const { return std::sqrt(frames_[frame].totalSquares); }
+
+void RigTally::addTimes(RigReport& out) const {
+  // Estimates, and the bounds of a rig that leaves no light to exact evaluation, are made for the report alone.
+  const auto counts = [&](int stage) {
+    return stage != FitTimes::kEstimate && (stage != FitTimes::kBound || asked_.nearSlots > 0);
+  };
+  std::vector<double> fit(fitTimes_.size(), 0);
+  for (int stage = 0; stage < FitTimes::kStages; ++stage) {
+    std::vector<double> times;
+    for (std::size_t i = 0; i < fitTimes_.size(); ++i) {
+      const auto& time = fitTimes_[i].stages[static_cast<std::size_t>(stage)];
+      if (!time) continue;
+      times.push_back(*time);
+      if (counts(stage)) fit[i] += *time;
+    }
+    if (!times.empty()) out.stages.push_back({FitTimes::kNames[stage], median(std::move(times))});
+  }
+  const double shade = median(shadeTimes_);
+  out.stages.push_back({"shade", shade});
+  out.fitMicroseconds = median(std::move(fit));
+  out.shadeNanosecondsPerPoint = 1000 * shade / static_cast<double>(samples_);
+}
+
+void RigTally::addFrames(RigReport& out, const TallyContext& context) const {
+  const double scale = context.meanIrradiance > 0 ? 1 / context.meanIrradiance : 0;
+  const double channels = 3 * static_cast<double>(samples_), count = static_cast<double>(frames_.size());
+  double spatial = 0, total = 0;
+  for (std::size_t f = 0; f < frames_.size(); ++f) {
+    const Frame& from = frames_[f];
+    RigFrame& frame = out.frames.emplace_back();
+    frame.time = context.times[f];
+    frame.spatialRms = scale * std::sqrt(from.spatialSquares / channels);
+    frame.totalRms = scale * std::sqrt(from.totalSquares / channels);
+    frame.estimate = asDouble(from.estimate);
+    frame.totalEstimate = asDouble(from.totalEstimate);
+    frame.shVectors = from.shVectors;
+    frame.modelledNanoseconds = static_cast<double>(from.modelledNanoseconds);
+    frame.near = from.near;
+    spatial += from.spatialSquares / channels / count;
+    total += from.totalSquares / channels / count;
+    out.shVectors += from.shVectors;  // counts are summed first: their mean is then exact where all are alike
+    out.nearLights += static_cast<double>(from.near.size());
+    out.modelledNanoseconds += frame.modelledNanoseconds / count;
+    out.highBandFrames += from.highBand ? 1 : 0;
+  }
+  out.shVectors /= count;
+  out.nearLights /= count;
+  out.spatial = {scale * std::sqrt(spatial), scale * spatialMax_};
+  out.total = {scale * std::sqrt(total), scale * totalMax_};
+  out.estimate = pooled(out.frames, &RigFrame::estimate);
+  out.totalEstimate = pooled(out.frames, &RigFrame::totalEstimate);
+  if (maxJump_) out.maxJump = scale * *maxJump_;
+}
+
+RigReport RigTally::report(const RigRunner& rig, const TallyContext& context) const {
+  RigReport out;
+  out.spec = rig.rig().spec().text;
+  out.projections = rig.rig().projections();
+  out.bytes = bytes_;
+  out.condition = condition_;
+  addTimes(out);
+  addFrames(out, context);
+  out.lights = lights_.uses({context.lights, context.frames, context.meanIrradiance, asked_});
+  return out;
+}
+
+}  // namespace rigel::tools

@@ -1,0 +1,59 @@
+// What one rig did over the frames of a run: errors, times, choices.
+#pragma once
+
+#include "report/light_log.h"
+#include "report/report_data.h"
+#include "report/rig_runner.h"
+
+namespace rigel::tools {
+
+/// What a tally's figures are to be read against.
+struct TallyContext {
+  std::span<const double> times;  // of the frames, s
+  std::span<const int> frames;    // their numbers
+  std::span<const LightRow> lights;
+  double meanIrradiance = 0;  // 0: errors are shown as 0
+};
+
+class RigTally {
+ public:
+  explicit RigTally(const LightingOptions& asked) : asked_(asked) {}
+
+  void addTiming(const FitTimes& fit, double shadeMicroseconds);
+
+  /// A frame that `rig` was just fitted to. `sh`: what a perfect rig of the same bands and far shares gives.
+  void addFrame(const RigRunner& rig, std::span<const RigRunner::Shaded> shaded, const Truth& truth,
+                std::span<const Rgb> sh, std::span<const float> wrap, bool followsOn);
+
+  /// Square root of the sum of a frame's squared total errors [W/m2].
+  double totalError(std::size_t frame) const;
+
+  RigReport report(const RigRunner& rig, const TallyContext& context) const;
+
+ private:
+  struct Frame {
+    double spatialSquares = 0, totalSquares = 0;  // summed over samples and channels [W/m2]^2
+    std::optional<float> estimate, totalEstimate;
+    int shVectors = 0;
+    float modelledNanoseconds = 0;
+    bool highBand = false;
+    std::vector<int> near;
+  };
+
+  void compare(Frame& frame, std::span<const RigRunner::Shaded> shaded, const Truth& truth, bool followsOn);
+  void addTimes(RigReport& out) const;
+  void addFrames(RigReport& out, const TallyContext& context) const;
+
+  LightingOptions asked_;
+  std::vector<Frame> frames_;
+  LightLog lights_;
+  std::vector<FitTimes> fitTimes_;
+  std::vector<double> shadeTimes_;  // us, all samples
+  double spatialMax_ = 0, totalMax_ = 0, condition_ = 1;
+  std::optional<double> maxJump_;
+  std::size_t bytes_ = 0, samples_ = 0;
+  std::vector<Rgb> spatialError_;           // rig - SH at each point
+  std::vector<Rgb> error_, previousError_;  // clamped rig + near lights - exact
+};
+
+}  // namespace rigel::tools
