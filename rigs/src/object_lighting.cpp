@@ -14,8 +14,8 @@ namespace {
 constexpr int kCheckPoints = 24;     // where rigs without anchors are compared with the lights' own SH
 constexpr int kTruncationEvery = 3;  // the high bands, which vary less, are projected at every third point
 constexpr int kCandidates = 40;      // lights that are looked at one by one; the others stay in the rig
-constexpr float kSpatialMargin = 1.3f;
-constexpr float kTotalMargin = 1.15f;
+constexpr float kSpatialMargin = 1.4f;  // see rigs/README.md
+constexpr float kTotalMargin = 1.25f;
 
 /// One figure for a colour: RMS over its channels, as errors are pooled.
 float magnitude(Rgb c) noexcept { return std::sqrt((c.r * c.r + c.g * c.g + c.b * c.b) / 3); }
@@ -55,6 +55,7 @@ struct ObjectLighting<B>::State {
     active = rig.shVectors();
     slots = chooses() && options.nearSlots == 0 ? kMaxNearLights : options.nearSlots;
     nearFar.options().slots = slots;
+    if (options.wrap != 0) options.cost.nearLight = options.cost.nearWrap;
     setUpRows();
     std::vector<Vec3> posed;
     for (int i : anchors) posed.push_back(rest.surface[i]);
@@ -163,7 +164,40 @@ struct ObjectLighting<B>::State {
         for (int i = 0; i < kTruncatedWidth; ++i) *t++ = truncationScale[i] * from[i];
       }
     }
+    rows.excess[index] = excessOf(lights);
     return mean * meanFactor();
+  }
+
+  /// What light so close that the check points are too coarse for it adds to the mean-square error. A patch of radius
+  /// rho that a light of radius r passes at height h receives a mean square of 1/(h^2 (h^2 + rho^2)) relative to the
+  /// light's own scale; its check point, d away, knows 1/max(d, rho)^4. How close the surface comes within the patch is
+  /// not known: h^2 = r d, between touching and as far as the check point.
+  float excessOf(const DirectionalLight&) const noexcept { return 0; }
+  template <class Light>
+  float excessOf(const Light& light) const noexcept {
+    float sum = 0;
+    for (const CheckPoint& check : checks) {
+      const float rho = check.footprint;
+      const float d = length(light.position - check.position);
+      if (!(d < 3 * rho)) continue;
+      const float r = std::max(light.radius, kMinPointRadius);
+      const float x = std::clamp((d / rho - 1) / 2, 0.0f, 1.0f);
+      const float apart = x * x * (3 - 2 * x);
+      const float h2 = std::max(std::lerp(r * d, d * d, apart), r * r);
+      const float reach = std::max({d, rho, r});
+      const float ratio = reach * reach / h2 * (reach * reach / (h2 + rho * rho)) - 1;
+      if (!(ratio > 0)) continue;
+      const RadianceSH<B> sh = project<B>(light, check.position, rho);
+      float square = 0;
+      for (int i = 0; i < kWidth; ++i) square += rows.weight[i] * sh.data()[i] * sh.data()[i];
+      sum += check.share * square * ratio;
+    }
+    return sum;
+  }
+  float excessOf(const LightSet& lights) const noexcept {
+    float sum = 0;
+    for (int i = 0; i < lights.size(); ++i) sum += lights.visit(i, [&](const auto& light) { return excessOf(light); });
+    return sum;
   }
 
   /// From L_00, summed over channels, to the mean irradiance over normals and channels.

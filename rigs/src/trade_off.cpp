@@ -13,6 +13,8 @@ constexpr int kMaxLevels = 48;
 constexpr float kLevelStep = 0.5f;  // log2
 // A coefficient counts fully where the error without it is 1.3 times the target, not at all below 0.7 times.
 constexpr float kFadeFrom = 0.7f, kFadeWidth = 0.6f;
+// A light is far where its error is at most the level's, near where it is 1 + kWindow times that.
+constexpr float kWindow = 0.5f;
 // Costs within this share of the least one blend.
 constexpr float kSoftness = 0.04f;
 constexpr float kUnfit = 2000;  // ns, on top of a choice that misses its target by its own size or more
@@ -51,6 +53,7 @@ void LightRows::resize(int lightCount) {
   lights = lightCount;
   fields.resize((static_cast<std::size_t>(lights) + 1) * block());
   truncation.resize((static_cast<std::size_t>(lights) + 1) * truncated);
+  excess.resize(lights + 1);
   fade.resize(lights);
 }
 
@@ -74,6 +77,8 @@ void TradeOff::farError(const LightRows& rows, std::span<const float> damping, s
   float rest = energy(std::span(out.field).subspan(rows.nested * width), rows.weight);
   out.beyond.resize(rows.nested + 1);
   const auto points = static_cast<float>(rows.residuals);
+  out.excess = rows.excess[rows.lights];
+  for (int i = 0; i < rows.lights; ++i) out.excess += (1 - weights[i]) * (1 - weights[i]) * rows.excess[i];
   out.beyond[rows.nested] = rows.nested > 0 ? rest : rest * rows.inflation;
   for (int k = rows.nested - 1; k >= 0; --k) out.beyond[k] = rest += energy(row(k), rows.weight);
   if (rows.nested > 0) {
@@ -86,6 +91,7 @@ void TradeOff::farError(const LightRows& rows, std::span<const float> damping, s
     for (int j = 0; j <= rows.nested; ++j) out.beyond[j] *= inflation(points, static_cast<float>(j));
     for (int j = 1; j <= rows.nested; ++j) out.beyond[j] = std::min(out.beyond[j], out.beyond[j - 1]);
   }
+  for (float& square : out.beyond) square += out.excess;
 
   out.truncation = rows.tail * squares(out.truncated);
   out.truncationHigh = out.truncation;
@@ -110,7 +116,7 @@ void TradeOff::build(const LightRows& rows, std::span<const float> damping, int 
     if (total)
       square += rows.tail * squares({rows.truncation.data() + static_cast<std::size_t>(i) * rows.truncated,
                                      static_cast<std::size_t>(rows.truncated)});
-    error_[i] = std::sqrt(square) * rows.fade[i];
+    error_[i] = std::sqrt(square + rows.excess[i]) * rows.fade[i];
   }
   sorted_.assign(error_.begin(), error_.end());
   std::ranges::sort(sorted_, std::greater<>());
@@ -142,7 +148,7 @@ void TradeOff::build(const LightRows& rows, std::span<const float> damping, int 
 void TradeOff::weightsAt(float level, std::span<float> weights) const {
   const float threshold = std::max(std::exp2(level), floor_);
   for (std::size_t i = 0; i < error_.size(); ++i)
-    weights[i] = error_[i] > 0 ? (threshold > 0 ? smoothstep(error_[i] / threshold - 1) : 1.0f) : 0.0f;
+    weights[i] = error_[i] > 0 ? (threshold > 0 ? smoothstep((error_[i] / threshold - 1) / kWindow) : 1.0f) : 0.0f;
 }
 
 float TradeOff::nanoseconds(const CostModel& cost, float vectors, float nearLights, float highBand) {
@@ -252,7 +258,7 @@ float TradeOff::spatialSquare(const LightRows& rows, const FarError& error, std:
     sum += lost * lost * energy(std::span(error.field).subspan(k * width, width), rows.weight);
     used += weights[k];
   }
-  return sum * (rows.nested > 0 ? inflation(static_cast<float>(rows.residuals), used) : rows.inflation);
+  return sum * (rows.nested > 0 ? inflation(static_cast<float>(rows.residuals), used) : rows.inflation) + error.excess;
 }
 
 }  // namespace rigel

@@ -23,6 +23,7 @@ struct LightRows {
   std::vector<float> fields;      // (lights + 1) x (nested + residuals) x width
   std::vector<float> truncation;  // (lights + 1) x truncated: what the SH bands leave out
   std::vector<float> weight;      // width: squared factor from SH to irradiance
+  std::vector<float> excess;      // per block, [W/m2]^2: of a light so close that it varies between the rows' points
   std::vector<float> fade;        // per light: 0 for one that is about to leave the candidates, 1 for all others
   float tail = 1;                 // all truncated energy over that of `truncation`
   float inflation = 1;            // fixed rigs: mean-square error at other points over that at the rows' points
@@ -35,6 +36,7 @@ struct LightRows {
 /// Mean-square errors [W/m2]^2 of the lights' rows weighted by 1 - w.
 struct FarError {
   std::vector<float> beyond;  // per J = 0..nested: spatial, where J nested coefficients are kept
+  float excess = 0;          // part of `beyond`
   float truncation = 0;       // of the SH bands
   float truncationHigh = 0;   // with the constant high band
   std::vector<float> field;   // the weighted rows themselves

@@ -141,6 +141,8 @@ class Study final : public StudyVisitor {
   }
 
   void create(float wrap) {
+    cost_ = CostModel();
+    if (wrap != 0) cost_.nearLight = cost_.nearWrap;
     LightingOptions options;
     options.wrap = wrap;
     options.reference = static_cast<float>(mean_);
@@ -231,7 +233,7 @@ class Study final : public StudyVisitor {
     if (!total) return;
     ++fixedFrames[target.label()];
     for (int v = 1; v <= oracle_->vectors(); ++v)
-      for (int n = 0; n <= 16; ++n)
+      for (int n = 0; n <= 40; ++n)
         for (bool high : {false, true})
           if (std::sqrt(oracle_->totalSquare(v, std::min(n, oracle_->lights()), high)) <= target.value * mean_)
             ++fixedHits[target.label()][{v, n, high}];

@@ -28,12 +28,14 @@ struct LightingTarget {
   float value = 0;
 };
 
-/// Modelled time [ns] of shading one point; calibrated, so that choices depend on no clock.
+/// Modelled time [ns] of shading one point, so that choices depend on no clock. The defaults are those of `shade` on
+/// one CPU core (`rigel bench --filter shade`, `--filter near`); a GPU's ratios are the caller's to measure.
 struct CostModel {
-  float base = 30;       // normal's SH basis and convolution
-  float vector = 3.5f;   // one more SH vector of the rig
-  float nearLight = 25;  // one near light
-  float highBand = 9;    // the constant high band
+  float base = 44;       // a rig at all: the normal's SH basis and the convolution
+  float vector = 2;      // each SH vector of the rig
+  float nearLight = 26;  // each near light
+  float nearWrap = 56;   // the same on materials with wrap
+  float highBand = 15;   // the constant high band
 };
 
 struct LightingOptions {
