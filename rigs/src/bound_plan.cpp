@@ -1,0 +1,83 @@
+#include "bound_plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rigel {
+namespace {
+
+using detail::BoundPlan;
+
+// Of the interpolation error on a lattice axis of spacing D: per D times the slope, and per D^2 times the curvature
+// (Peano's constants), and the largest sum of |weights|. Smoothstep weights differ from linear ones by at most .0963.
+struct KernelConstants {
+  double first, second, lebesgue;
+};
+constexpr KernelConstants constantsOf(LatticeKernel kernel, int nodes) noexcept {
+  if (kernel == LatticeKernel::smooth) return {0.0963, 0.125, 1};
+  if (kernel == LatticeKernel::cubic && nodes > 2) return {0, 0.1407, 1.25};
+  return {0, 0.125, 1};
+}
+
+constexpr double kSecant = 0.77459667;  // of the half extent, where @numeric looks (tensor_model.cpp)
+
+void planAxis(BoundPlan::Axis& axis, const AxisModel& model, const RigSpec& spec, double& lebesgue) noexcept {
+  switch (model.kind) {
+    case AxisModel::Kind::constant:
+      axis.first = axis.half;
+      return;
+    case AxisModel::Kind::gradient:
+      axis.gradient = axis.half;
+      axis.node = spec.fit == FitMethod::numeric ? kSecant * axis.half : 0;
+      return;
+    case AxisModel::Kind::lattice:
+      const KernelConstants k = constantsOf(spec.kernel, model.nodes);
+      const double spacing = 2 * axis.half / (model.nodes - 1);
+      axis.node = axis.half;
+      // The operators of the axes are applied one after another, each with its own norm.
+      axis.first = lebesgue * k.first * spacing;
+      axis.second = lebesgue * k.second * spacing * spacing;
+      lebesgue *= k.lebesgue;
+  }
+}
+
+}  // namespace
+
+BoundPlan boundPlan(const Rig& rig, float radius) noexcept {
+  BoundPlan plan;
+  const RigSpec& spec = rig.spec();
+  const RigBox& box = rig.box();
+  double diagonal = 0;
+  for (int a = 0; a < 3; ++a) {
+    const double lo = box.lo[a];
+    const double hi = box.hi[a];
+    plan.centre[a] = (lo + hi) / 2;
+    plan.axis[a].half = (hi - lo) / 2;
+    diagonal += plan.axis[a].half * plan.axis[a].half;
+  }
+  plan.radius = std::min<double>(std::sqrt(diagonal), radius >= 0 ? radius : kNoRange);
+
+  const bool nodal =
+      spec.family == RigSpec::Family::tensor && (spec.fit == FitMethod::corners || spec.fit == FitMethod::numeric);
+  if (!nodal) {
+    plan.kind = BoundPlan::Kind::surface;
+    return plan;
+  }
+  const auto& models = rig.axes();
+  for (const AxisModel::Kind kind : {AxisModel::Kind::lattice, AxisModel::Kind::constant, AxisModel::Kind::gradient})
+    for (int a = 0; a < 3; ++a)
+      if (models[a].kind == kind) planAxis(plan.axis[a], models[a], spec, plan.lebesgue);
+  for (BoundPlan::Axis& axis : plan.axis) {
+    axis.gradient *= plan.lebesgue;
+    if (axis.node == 0) axis.first *= plan.lebesgue;
+  }
+  plan.numeric = spec.fit == FitMethod::numeric;
+  const auto all = [&](AxisModel::Kind kind) {
+    return std::ranges::all_of(models, [&](const AxisModel& m) { return m.kind == kind; });
+  };
+  plan.constant = all(AxisModel::Kind::constant);
+  if (plan.constant || all(AxisModel::Kind::gradient)) plan.kind = BoundPlan::Kind::ball;
+  return plan;
+}
+
+}  // namespace rigel
