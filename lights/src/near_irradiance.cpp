@@ -52,22 +52,24 @@ NearView viewLocal(const NearLight& light, Vec3 p, Vec3 n) noexcept {
   const detail::Vec3d toCentre = detail::widen(light.position) - detail::widen(p);
   const double r2 = static_cast<double>(light.radius) * light.radius;
   const double d2 = detail::dot(toCentre, toCentre);
-  const double reach2 = std::max(d2, r2);
-  const double distance = std::sqrt(d2);
-  const auto d = static_cast<float>(distance);
+  const auto d = static_cast<float>(std::sqrt(d2));
+  const auto gap = static_cast<float>(std::sqrt(std::abs(d2 - r2)));
   const float reach = std::max(d, light.radius);
-  if (!(reach > 0 && reach <= std::numeric_limits<float>::max())) return view;
+  // Distances whose inverse float does not hold: only NaN, infinity and what no scene has.
+  if (!(reach >= 1e-37f && reach <= 1e37f)) return view;
 
-  const Vec3 w = distance > 0 ? detail::narrow(toCentre * (1 / distance)) : Vec3{0, 0, 1};
-  view.x = std::clamp(dot(n, w), -1.0f, 1.0f);
+  const float inverse = 1 / reach;
   view.inside = d2 < r2;
-  view.s = std::min(d, light.radius) / reach;
-  view.c = std::sqrt(static_cast<float>(std::abs(d2 - r2) / reach2));
+  view.s = std::min(d, light.radius) * inverse;
+  view.c = gap * inverse;
+  const float inverseDistance = view.inside ? 1 / std::max(d, 1e-37f) : inverse;
+  const Vec3 w = detail::narrow(toCentre) * inverseDistance;
+  view.x = std::clamp(dot(n, w), -1.0f, 1.0f);
   if (light.kind == NearLight::Kind::sphere) {
     view.scale = kPiFloat * (view.inside ? 1.0f : view.s * view.s);
     return view;
   }
-  view.scale = rangeWindow(d, light.range) / reach / reach;
+  view.scale = rangeWindow(d, light.range) * inverse * inverse;
   if (light.kind == NearLight::Kind::spot) view.scale *= spotCone(light, w, view);
   return view;
 }
