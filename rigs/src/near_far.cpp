@@ -8,6 +8,9 @@
 namespace rigel {
 namespace {
 
+/// A share that nobody sees and that is not worth a slot.
+constexpr float kLeastWeight = 1e-6f;
+
 /// NaN and negative values become 0, infinities `largest`.
 float held(float value, float largest) noexcept { return value > 0 ? std::min(value, largest) : 0.0f; }
 
@@ -72,6 +75,9 @@ void NearFar::advance(std::span<const std::uint32_t> ids, float seconds) {
 void NearFar::listLights(std::span<const std::uint32_t> ids) {
   assert(ids.empty() || ids.size() == wanted_.size());
   lights_.resize(wanted_.size());
+  // Swapped with lights_ at the end of the frame.
+  last_.reserve(wanted_.size());
+  waiting_.reserve(wanted_.size());
   for (std::size_t i = 0; i < lights_.size(); ++i) {
     lights_[i] = {};
     lights_[i].id = i < ids.size() ? ids[i] : static_cast<std::uint32_t>(i);
@@ -103,7 +109,7 @@ void NearFar::moveHolders(float step) noexcept {
   for (Known& light : lights_) {
     if (light.slot >= static_cast<int>(slots_.size())) light.slot = -1;
     if (light.slot >= 0) light.weight = moved(light, step);
-    if (light.slot < 0 || !(light.weight > 0)) {
+    if (light.slot < 0 || !(light.weight > kLeastWeight)) {
       light.slot = -1;
       light.weight = 0;
       continue;
@@ -114,7 +120,6 @@ void NearFar::moveHolders(float step) noexcept {
 
 void NearFar::serveNewcomers(float step) {
   waiting_.clear();
-  waiting_.reserve(lights_.capacity());
   for (std::size_t k = 0; k < lights_.size(); ++k)
     if (lights_[k].slot < 0 && wanted_[lights_[k].index] > 0) waiting_.push_back(static_cast<int>(k));
   const auto first = [this](int a, int b) {
@@ -123,12 +128,15 @@ void NearFar::serveNewcomers(float step) {
   };
   std::sort(waiting_.begin(), waiting_.end(), first);
 
-  auto next = waiting_.begin();
-  for (int slot = 0; slot < static_cast<int>(slots_.size()) && next != waiting_.end(); ++slot) {
-    if (slots_[slot] >= 0) continue;
-    Known& light = lights_[*next++];
+  int slot = 0;
+  for (const int k : waiting_) {
+    while (slot < static_cast<int>(slots_.size()) && slots_[slot] >= 0) ++slot;
+    if (slot == static_cast<int>(slots_.size())) return;
+    Known& light = lights_[k];
+    const float weight = moved(light, step);
+    if (!(weight > kLeastWeight)) continue;
     light.slot = slot;
-    light.weight = moved(light, step);
+    light.weight = weight;
     slots_[slot] = light.index;
   }
 }

@@ -1,4 +1,6 @@
 // A frame allocates nothing once everything has its size: counted by replacing the global allocator.
+#include <rigel/near_far.h>
+
 #include "rig_fixture.h"
 
 #include <atomic>
@@ -95,6 +97,29 @@ TEST(RigAllocation, AFrameAllocatesNothing) {
     }
     EXPECT_EQ(counted, 0) << text;
   }
+}
+
+TEST(RigAllocation, NearAndFarLightsAllocateNothing) {
+  NearFar nearFar(NearFarOptions{4, 0, 20});
+  LightSet lights, far;
+  std::vector<NearLight> near;
+  for (int i = 0; i < 40; ++i) lights.add(PointLight{{static_cast<float>(i), 2, 0}, {1, 1, 1}});
+  std::vector<float> errors(40), half(40, 0.5f);
+  std::vector<std::uint32_t> ids(40);
+  const std::span<const float> halves = half;
+  long counted = 0;
+  for (int frame = 0; frame < 200; ++frame) {
+    for (int i = 0; i < 40; ++i) {
+      errors[i] = std::exp(std::sin(static_cast<float>(frame * (i % 7) + i)));
+      ids[i] = static_cast<std::uint32_t>((i * 7 + frame) % 40);
+    }
+    const long before = allocations;
+    nearFar.update(errors, ids, 1.0f / 60);
+    // In the first frame every light is near in part and far in part: it cannot get more.
+    splitLights(lights, frame == 0 ? halves : nearFar.weights(), far, near);
+    if (frame > 0) counted += allocations - before;
+  }
+  EXPECT_EQ(counted, 0);
 }
 
 }  // namespace
