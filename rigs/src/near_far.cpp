@@ -42,12 +42,16 @@ void NearFar::update(std::span<const float> errors, std::span<const std::uint32_
   advance(ids, seconds);
 }
 
-void NearFar::follow(std::span<const float> weights, std::span<const std::uint32_t> ids, float seconds) {
+void NearFar::follow(std::span<const float> weights, std::span<const std::uint32_t> ids, float seconds,
+                     std::span<const float> errors) {
+  assert(errors.empty() || errors.size() == weights.size());
   wanted_.resize(weights.size());
-  for (std::size_t i = 0; i < weights.size(); ++i) wanted_[i] = held(weights[i], 1);
-  // Nothing is known of their errors: every light counts as one that was in the rig.
   rank_.resize(weights.size());
-  for (std::size_t i = 0; i < weights.size(); ++i) rank_[i] = 1 + wanted_[i];
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    wanted_[i] = held(weights[i], 1);
+    // Where errors are unknown every light counts as one of which something was in the rig.
+    rank_[i] = errors.empty() ? 1 + wanted_[i] : held(errors[i], std::numeric_limits<float>::max());
+  }
   advance(ids, seconds);
 }
 

@@ -268,6 +268,13 @@ TEST(NearFar, FollowsWeightsFoundElsewhere) {
   expectSound(nearFar, "follow");
 }
 
+TEST(NearFar, FollowsAtOnceWhereErrorsSayThatNothingFades) {
+  NearFar nearFar = withSlots(1);
+  nearFar.follow(Floats{0, 0, 0}, {}, kFrame, Floats{0, 0, 1});
+  nearFar.follow(Floats{1, 1, 0}, {}, kFrame, Floats{3, 5, 1});
+  EXPECT_THAT(weightsOf(nearFar), ElementsAre(0, 1, 0));
+}
+
 TEST(NearFar, FewerSlotsTakeEffectAtOnce) {
   NearFar nearFar = withSlots(3);
   nearFar.update(Floats{9, 8, 7, 1}, {}, kFrame);

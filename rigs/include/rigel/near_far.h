@@ -44,8 +44,10 @@ class NearFar {
   void update(std::span<const float> errors, std::span<const std::uint32_t> ids, float seconds);
 
   /// The same bookkeeping for weights that were found elsewhere (`auto` rigs), held within [0, 1]. Where more than
-  /// `slots` lights want to be near, the largest weights are served first.
-  void follow(std::span<const float> weights, std::span<const std::uint32_t> ids, float seconds);
+  /// `slots` lights want to be near, the largest errors are served first. Without `errors` the largest weights are, and
+  /// every light known from the last update is rate limited.
+  void follow(std::span<const float> weights, std::span<const std::uint32_t> ids, float seconds,
+              std::span<const float> errors = {});
 
   std::span<const float> weights() const noexcept { return weights_; }  // per light, of the last update
   /// The light in each slot, or -1; a light keeps its slot while w > 0, and has one wherever w > 0.
