@@ -46,8 +46,7 @@ class LampRow {
     long count = 0;
     const int frames = static_cast<int>(seconds * rate);
     for (int i = 0; i <= frames; ++i) {
-      const std::vector<float> weights =
-          light({static_cast<float>(-2 + 8 * i / rate), 0, 0}, policy, static_cast<float>(1 / rate));
+      light({static_cast<float>(-2 + 8 * i / rate), 0, 0}, policy, static_cast<float>(1 / rate));
       result.nearLights += static_cast<double>(near_.size()) / (frames + 1);
       errorsAtSurface(now, exactSum);
       for (std::size_t k = 0; k < now.size(); ++k) {
@@ -65,15 +64,13 @@ class LampRow {
 
  private:
   /// Fits the rig and fills near_ for the object at `origin`.
-  std::vector<float> light(Vec3 origin, const WeightPolicy& policy, float seconds) {
+  void light(Vec3 origin, const WeightPolicy& policy, float seconds) {
     frame_.origin = origin;
     std::vector<float> errors;
     for (int i = 0; i < lamps_.size(); ++i) errors.push_back(errorOf(lamps_.sphere(i)));
-    std::vector<float> weights = policy(errors, seconds);
-    splitLights(lamps_, weights, far_, near_);
+    splitLights(lamps_, policy(errors, seconds), far_, near_);
     projectSamples<3>(rig_, frame_, far_, functionals_);
     fitRig<3>(rig_, functionals_, coefficients_);
-    return weights;
   }
 
   /// A light's peak on the object's bounding box, less the farther away it is: what a rig of few coefficients gets
