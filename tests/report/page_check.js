@@ -71,8 +71,9 @@
     equal(sort('Total RMS').closest('th').getAttribute('aria-sort'), 'ascending', 'aria-sort');
     sort('Total RMS').click();
     check(rises(-1), `sorted downwards: ${order()}`);
-    const beaten = (rig) => object.rigs.some((other) => other !== rig && other.bytes <= rig.bytes && other.total.rms <= rig.total.rms &&
-      (other.bytes < rig.bytes || other.total.rms < rig.total.rms));
+    const cost = data.objects.some(({rigs}) => rigs.some((rig) => rig.near_lights > 0)) ? 'modelled_ns_per_point' : 'bytes';
+    const beaten = (rig) => object.rigs.some((other) => other !== rig && other[cost] <= rig[cost] && other.total.rms <= rig.total.rms &&
+      (other[cost] < rig[cost] || other.total.rms < rig.total.rms));
     for (const row of all(section, '.rigs tbody tr')) {
       const rig = rigNamed(row.querySelector('.pick').textContent);
       equal(row.classList.contains('pareto'), !beaten(rig), `Pareto mark of ${rig.spec}`);
@@ -106,7 +107,13 @@
     press(place, 'Escape');
     check(place.querySelector('.readout').hidden, 'Escape hides the read-out');
     pointer(place, 'pointermove', place.getBoundingClientRect().left + 60);
-    equal(all(place.querySelector('.readout'), '.entry').length, object.rigs.length + 2, 'lines of the read-out');
+    const chosen = object.rigs.find((rig) => rig.spec === section.querySelector('tr.chosen .pick')?.textContent);
+    const chooses = (rig) => rig.frames.some((frame) => frame.near.length || frame.sh_vectors !== rig.frames[0].sh_vectors);
+    const estimates = chosen?.frames.every((frame) => typeof frame.total_estimate === 'number');
+    equal(all(place.querySelector('.readout'), '.entry').length, object.rigs.length + 2 + (estimates ? 1 : 0) + (chosen && chooses(chosen) ? 1 : 0), 'lines of the read-out');
+    equal(all(place, '.estimate').length, estimates ? 1 : 0, 'estimate of the chosen rig');
+    equal(all(place, '.vectors-line').length, object.rigs.filter(chooses).length, 'SH vectors of the rigs that choose');
+    equal(all(place, '.near-line').length, object.rigs.filter(chooses).length, 'near lights of the rigs that choose');
     pointer(place, 'pointerleave', 0);
   }
 
@@ -120,7 +127,48 @@
     check(!/NaN|Infinity/.test(group.innerHTML), 'a coordinate of the cost chart is no number');
     press(points()[0], 'Enter');
     equal(section.querySelector('tr.chosen .pick').textContent, object.rigs[0].spec, 'a point chooses its rig');
-    button(group, 'Cost', 'Bytes').click();
+    button(group, 'Cost', 'Modelled').click();
+  }
+
+  function checkLights(section, object) {
+    const card = section.querySelector('.light-use').closest('.card');
+    const rows = () => all(card, 'tbody tr');
+    const names = () => rows().map((row) => row.querySelector('.name').textContent).join('|');
+    const more = card.querySelector('.more');
+    const sort = (title) => all(card, '.sort').find((candidate) => candidate.textContent.startsWith(title));
+    const busiest = object.rigs.reduce((a, b) => (b.near_lights > a.near_lights ? b : a));
+    if (object.rigs.length > 1) button(card, 'Rig', busiest.spec).click();
+    equal(section.querySelector('tr.chosen .pick')?.textContent ?? busiest.spec, busiest.spec, 'the rig of the lights is chosen everywhere');
+    const {lights} = busiest;
+    equal(more.hidden, lights.length <= 20, 'button for all lights');
+    equal(rows().length, Math.min(20, lights.length), 'first lights');
+    if (!more.hidden) {
+      more.click();
+      equal(rows().length, lights.length, 'all lights');
+    }
+    const sorted = (get, sign) => [...lights].sort((a, b) => sign * (get(a) < get(b) ? -1 : get(a) > get(b) ? 1 : 0));
+    sort('Bound').click();
+    equal(names(), sorted((light) => light.bound, -1).map((light) => light.name).join('|'), 'sorted by bound');
+    equal(sort('Bound').closest('th').getAttribute('aria-sort'), 'descending', 'aria-sort of the bound');
+    sort('Bound').click();
+    equal(names(), sorted((light) => light.bound, 1).map((light) => light.name).join('|'), 'sorted by bound, rising');
+    sort('Near').click();
+    equal(rows()[0].querySelector('.name').textContent, sorted((light) => light.near_frames, -1)[0].name, 'sorted by frames near');
+    for (const row of rows()) {
+      const light = lights.find((candidate) => candidate.name === row.querySelector('.name').textContent);
+      equal(row.querySelector('.why').textContent, light.why, 'reason');
+      const strip = row.querySelector('.course');
+      equal(Boolean(strip), object.truth.length > 1, 'course over time');
+      if (!strip) continue;
+      const length = (role) => light.roles.filter(([, name]) => name === role).reduce((sum, [frames]) => sum + frames, 0);
+      equal(length('near'), light.near_frames, 'frames near');
+      equal(length('blended'), light.blend_frames, 'frames blended');
+      equal(length('near') + length('blended') + length('far') + length('culled'), busiest.frames.length, 'every frame has a role');
+      equal(all(strip, 'rect.role-near').length, light.roles.filter(([, name]) => name === 'near').length + light.blend_frames, 'rectangles of the strip');
+      check(!/NaN|Infinity/.test(strip.outerHTML), 'a coordinate of the strip is no number');
+    }
+    if (!more.hidden) more.click();
+    equal(rows().length, Math.min(20, lights.length), 'first lights again');
   }
 
   async function run() {
@@ -136,6 +184,8 @@
       if (object.truth.length > 1) checkTimeChart(sections[i], object);
       equal(all(sections[i], '.point').length, object.rigs.length > 1 ? object.rigs.length : 0, 'points');
       if (object.rigs.length > 1) checkCostChart(sections[i], object);
+      equal(Boolean(sections[i].querySelector('.light-use')), object.rigs.some((rig) => rig.lights.length), 'table of lights');
+      if (sections[i].querySelector('.light-use')) checkLights(sections[i], object);
     }
     const root = document.documentElement;
     const theme = document.getElementById('theme');

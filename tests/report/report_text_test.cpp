@@ -65,7 +65,7 @@ TEST(ReportText, MarksTheRigOfTheVerdict) {
   tools::Report report = madeUpReport();
   EXPECT_THAT(tools::reportText(report), HasSubstr("  > auto "));
   EXPECT_THAT(tools::reportText(report),
-              HasSubstr("(5.5 SH vectors and 1.2 near lights, 80 ns a point by the cost model)"));
+              HasSubstr("(5.5 SH vectors and 1.3 near lights, 82 ns a point by the cost model)"));
   for (tools::SceneReport& scene : report.scenes) scene.objects[0].rigs.pop_back();
   const std::string text = tools::reportText(report);
   EXPECT_THAT(text, HasSubstr("  > poly:12 "));

@@ -26,10 +26,13 @@ function meaning() {
     ['Total error', 'What is seen: the irradiance the shader computes, negative values clamped, against exact irradiance with the true shape of every light and its horizon. It includes what the SH bands cannot hold, so it does not fall to zero however many SH vectors a rig has.'],
     ['RMS and max', 'RMS pools all samples, channels and frames; max is the largest single one. Light blocked by other surfaces counts in neither.'],
     ['Max jump', 'The largest change, at any sample, of the error from one frame to the next. Movement of the true light does not count, so a high value is light that pops. Only frames that follow on each other are compared: none are skipped between them, and no clip starts over.'],
-    ['SH vectors, projections', 'What is stored, and what is computed of every light each frame. A value with its gradient counts as four projections.'],
-    ['Fit, shade', 'Fit: the median time to refresh, project and fit the rig for one frame. Shade: the time to evaluate it at one surface point. Both on the processor of this run: compare them with each other, not with other machines.'],
+    ['SH vectors, projections', 'What is stored, and what is computed of every light each frame. A value with its gradient counts as four projections. Rigs named auto take as many SH vectors as a frame needs: their figure is the mean over the frames.'],
+    ['Near lights', 'Lights too close for a rig are evaluated exactly at every point. A light becomes near gradually: the share w is evaluated, 1 − w stays in the rig. Spatial error concerns what is left in the rig, total error all of it.'],
+    ['Estimate', 'The spatial RMS as the rig itself takes it to be, from its own samples and without knowing the truth. It is what rigs aim with that are given a target.'],
+    ['Bound', 'A light left in the rig is wrong by no more than this anywhere on the object, relative to the mean light. It is certain and therefore often far above the error itself.'],
+    ['Fit, shade', 'Fit: the median time of what has to be done once a frame: refresh, bound, choose, project, fit. Shade: the time to evaluate rig and near lights at one surface point. Both on the processor of this run: compare them with each other, not with other machines. Modelled: the same by a cost model, which choices go by so that they do not depend on load.'],
     ['Pareto-optimal', 'No other rig measured here has both less error and less cost.'],
-    ['Advised', `The rig with the fewest SH vectors whose total RMS is within ${percent(report.verdict_slack)} of the least. Where even the least is above ${percent(report.usable_error)}, none is advised.`],
+    ['Advised', `The rig with the fewest SH vectors (where lights are near: the least modelled time) whose total RMS is within ${percent(report.verdict_slack)} of the least. Where even the least is above ${percent(report.usable_error)}, none is advised.`],
   ];
   return element('section', {class: 'card', id: 'meaning'}, element('h2', {}, 'What the numbers mean'),
     element('dl', {class: 'terms'}, ...terms.map(([term, text]) => element('div', {}, element('dt', {}, term), element('dd', {}, text)))));

@@ -63,4 +63,6 @@ function figure(value) {
 const percent = (relative) => figure(100 * relative) + '\u00a0%';
 const count = (value) => value.toLocaleString('en-US');
 const plural = (n, noun) => `${count(n)} ${noun}${n === 1 ? '' : 's'}`;
+/** A whole number where all frames have the same. */
+const meanCount = (value) => (Number.isInteger(value) ? count(value) : value.toFixed(1));
 const seconds = (time) => `${time.toFixed(2)} s`;

@@ -14,6 +14,7 @@ function objectSection(object, index) {
   if (object.truth.length > 1) charts.append(timeChart(object, frames, store));
   if (object.rigs.length > 1) charts.append(costChart(object, store));
   section.append(charts);
+  if (object.rigs.some((rig) => rig.lights.length)) section.append(lightTable(object, store));
   return section;
 }
 

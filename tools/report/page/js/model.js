@@ -18,12 +18,14 @@ const costs = [
   {value: 'bytes', label: 'Bytes', axis: 'bytes of coefficients', get: (rig) => rig.bytes},
   {value: 'projections', label: 'Projections', axis: 'SH projections per light', get: (rig) => rig.projections},
   {value: 'fit', label: 'Fit', axis: 'fit, µs per frame', get: (rig) => rig.fit_us},
+  {value: 'modelled', label: 'Modelled', axis: 'modelled ns per point', get: (rig) => rig.modelled_ns_per_point},
   {value: 'shade', label: 'Shade', axis: 'shading, ns per point', get: (rig) => rig.shade_ns_per_point},
 ];
 const costNamed = (name) => costs.find((cost) => cost.value === name);
 
 /** What a reader chooses once for the whole page. */
-const settings = makeStore({error: 'total', cost: 'bytes', scale: 'log'});
+const anyNear = report.objects.some((object) => object.rigs.some((rig) => rig.near_lights > 0));
+const settings = makeStore({error: 'total', cost: anyNear ? 'modelled' : 'bytes', scale: 'log'});  // bytes know nothing of near lights
 
 /** Rigs that no other rig beats in both cost and error, cheapest first. */
 function paretoRigs(rigs, costOf, errorOf) {

@@ -5,7 +5,7 @@ function overview() {
     element('h1', {}, 'Which irradiance rig lights it best?'),
     element('p', {class: 'facts'}, [
       plural(report.objects.length, 'object'), plural(specs.length, 'rig'), `${report.bands} SH bands`,
-      report.exposure === 1 ? null : `exposure ${figure(report.exposure)}`, `Rigel ${report.version}`,
+      report.rate === 30 ? null : `${figure(report.rate)} frames a second`, report.exposure === 1 ? null : `exposure ${figure(report.exposure)}`, `Rigel ${report.version}`,
     ].filter(Boolean).join(' · ')));
   const verdicts = element('ul', {class: 'verdicts'});
   report.objects.forEach((object, i) => {

@@ -1,7 +1,8 @@
-// Error over time, one line a rig, and under it on the same time axis what the truth itself does.
+// Error over time, one line a rig, and under it on the same time axis what rigs choose and what the truth itself does.
 
 const kErrorHeight = 280;
 const kTruthHeight = 74;
+const kChoiceHeight = 84;
 const kChartLeft = 58;
 const kChartRight = 14;
 
@@ -24,8 +25,8 @@ function timeChart(object, frames, store) {
   let cursor = null;  // index into object.truth
   let layout = null;
   const drawing = drawToWidth(place, (width) => {
-    layout = timeLayout(object, width, settings.get(), object.rigs.filter((rig) => !hidden.has(rig.spec)));
-    place.replaceChildren(drawTime(object, layout, frames, store.get().rig), readout);
+    layout = timeLayout(object, width, settings.get(), object.rigs.filter((rig) => !hidden.has(rig.spec)), store.get().rig);
+    place.replaceChildren(drawTime(object, layout, frames), readout);
     moveCursor(cursor);
   });
 
@@ -65,25 +66,34 @@ function timeChart(object, frames, store) {
   store.watch(() => drawing.again());
   return element('div', {class: 'card'}, element('div', {class: 'bar'}, element('h3', {}, 'Error over time'), kind.node, scaleChoice.node),
     legend, place,
-    element('p', {class: 'hint'}, 'Where an error moves while the truth stands still, light pops. ', frames.length ? 'Triangles mark the frames that have pictures; click to see the nearest.' : null));
+    element('p', {class: 'hint'}, 'Where an error moves while the truth stands still, light pops. Dashed: what the chosen rig takes its own error for. ', frames.length ? 'Triangles mark the frames that have pictures; click to see the nearest.' : null));
 }
 
 const errorOfFrame = (frame, kind) => frame[`${kind}_rms`];
+const estimateOfFrame = (frame, kind) => (kind === 'spatial' ? frame.estimate : frame.total_estimate) ?? null;
+/** Does the rig take other numbers of SH vectors or near lights in other frames? */
+const choosesOverTime = (rig) => rig.frames.some((frame) => frame.near.length > 0 || frame.sh_vectors !== rig.frames[0].sh_vectors);
 
-function timeLayout(object, width, {error, scale}, rigs) {
+function timeLayout(object, width, {error, scale}, rigs, chosen) {
   const times = object.truth.map((frame) => frame.time);
   const span = {left: kChartLeft, right: width - kChartRight};
   const panel = (top, height) => ({...span, top, bottom: top + height});
   const boxes = {error: panel(22, kErrorHeight)};
-  boxes.movement = panel(boxes.error.bottom + 34, kTruthHeight);
+  const choosing = rigs.filter(choosesOverTime);
+  if (choosing.length) boxes.choice = panel(boxes.error.bottom + 34, kChoiceHeight);
+  boxes.movement = panel((boxes.choice ?? boxes.error).bottom + 34, kTruthHeight);
   boxes.irradiance = panel(boxes.movement.bottom + 34, kTruthHeight);
-  const values = rigs.flatMap((rig) => rig.frames.map((frame) => errorOfFrame(frame, error)));
+  const estimating = rigs.find((rig) => rig.spec === chosen && rig.frames.every((frame) => estimateOfFrame(frame, error) !== null));
+  const values = rigs.flatMap((rig) => rig.frames.map((frame) => errorOfFrame(frame, error)))
+    .concat(estimating ? estimating.frames.map((frame) => estimateOfFrame(frame, error)) : []);
+  const counts = choosing.flatMap((rig) => rig.frames.flatMap((frame) => [frame.sh_vectors, frame.near.length]));
   const x = makeScale('linear', [times[0], times[times.length - 1]], [span.left, span.right]);
   const vertical = (kind, domain, box) => makeScale(kind, domain, [box.bottom, box.top]);
   return {
-    ...boxes, width, rigs, kind: error, x,
+    ...boxes, width, rigs, choosing, estimating, chosen, kind: error, x,
     timeAt: (pixel) => x.low + (x.high - x.low) * (pixel - span.left) / (span.right - span.left),
     yError: vertical(scale, scale === 'log' ? logDomain(values) : linearDomain(values.concat(0)), boxes.error),
+    yChoice: boxes.choice && vertical('linear', linearDomain(counts), boxes.choice),
     yMovement: vertical('linear', linearDomain(object.truth.map((frame) => frame.movement ?? 0)), boxes.movement),
     yIrradiance: vertical('linear', linearDomain(object.truth.map((frame) => frame.mean_irradiance)), boxes.irradiance),
     height: boxes.irradiance.bottom + 40,
@@ -101,8 +111,8 @@ function movementRuns(truth) {
   return runs;
 }
 
-function drawTime(object, layout, frames, chosen) {
-  const {x, yError, yMovement, yIrradiance, kind} = layout;
+function drawTime(object, layout, frames) {
+  const {x, yError, yMovement, yIrradiance, kind, chosen, estimating} = layout;
   const root = svgElement('svg', {width: layout.width, height: layout.height, 'aria-hidden': 'true'});
   const title = (text, box) => svgElement('text', {class: 'axis-title', x: 0, y: box.top - 9}, text);
   const plotted = (rows, y, get) => rows.map((row) => [x(row.time), y(get(row))]);
@@ -134,7 +144,25 @@ function drawTime(object, layout, frames, chosen) {
     line.style.stroke = colorOf(rig.spec);
     root.append(line);
   }
+  if (estimating) {
+    const line = svgElement('polyline', {class: 'estimate', points: polyline(plotted(estimating.frames, yError, (frame) => estimateOfFrame(frame, kind)))});
+    line.style.stroke = colorOf(estimating.spec);
+    root.append(line);
+  }
+  if (layout.choice) root.append(title('SH vectors (solid) and near lights (dotted)', layout.choice), ...drawChoices(layout));
   return root;
+}
+
+/** The numbers of SH vectors and of near lights of the rigs that choose them, as steps from frame to frame. */
+function drawChoices({x, choice: box, choosing, yChoice, chosen}) {
+  const steps = (frames, get) => frames.flatMap((frame, i) => (i ? [[x(frame.time), yChoice(get(frames[i - 1]))]] : []).concat([[x(frame.time), yChoice(get(frame))]]));
+  const line = (rig, kind, get) => {
+    const node = svgElement('polyline', {class: `${kind}${rig.spec === chosen ? ' chosen' : ''}`, points: polyline(steps(rig.frames, get))});
+    node.style.stroke = colorOf(rig.spec);
+    return node;
+  };
+  return [...leftAxis(yChoice, box, tickLabel, 3),
+    ...choosing.flatMap((rig) => [line(rig, 'vectors-line', (frame) => frame.sh_vectors), line(rig, 'near-line', (frame) => frame.near.length)])];
 }
 
 function readoutLines(object, index, layout) {
@@ -142,6 +170,11 @@ function readoutLines(object, index, layout) {
   const line = (name, value, color) => element('div', {class: 'entry'}, color ? swatch(color) : null, element('span', {}, name), element('b', {}, value));
   const rows = layout.rigs.filter((rig) => rig.frames.length).map((rig) => ({spec: rig.spec, value: errorOfFrame(rig.frames[nearestIndex(rig.frames, time)], layout.kind)}));
   rows.sort((a, b) => b.value - a.value);
+  const {estimating} = layout;
+  const own = estimating?.frames[nearestIndex(estimating.frames, time)];
+  const near = layout.choosing.find((rig) => rig.spec === layout.chosen)?.frames[nearestIndex(object.truth, time)];
   return [element('div', {class: 'when'}, seconds(time)), ...rows.map((row) => line(row.spec, percent(row.value), colorOf(row.spec))),
-    line('truth moves', movement === null ? '–' : percent(movement)), line('mean irradiance', `${figure(mean)} W/m²`)];
+    own ? line(`${estimating.spec} estimates`, percent(estimateOfFrame(own, layout.kind)), colorOf(estimating.spec)) : null,
+    near ? line(`near: ${near.near.join(', ') || 'none'}`, `K ${near.sh_vectors}`, colorOf(layout.chosen)) : null,
+    line('truth moves', movement === null ? '–' : percent(movement)), line('mean irradiance', `${figure(mean)} W/m²`)].filter(Boolean);
 }
