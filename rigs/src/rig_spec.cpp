@@ -6,7 +6,7 @@
 //   axis   := "c" | "g" | "l" N
 //   poly   := "poly:" K | "auto" [ ":" K ]
 //   kernel := "linear" | "smooth" | "cubic"
-//   fit    := "corners" | "numeric" | "lsq"
+//   fit    := "corners" | "numeric" | "gauss" | "lsq"
 #include <rigel/rig_spec.h>
 
 #include <algorithm>
@@ -130,8 +130,13 @@ std::string parseFit(std::string_view text, RigSpec& spec) {
     if (std::ranges::none_of(spec.axes, [](AxisModel a) { return a.kind == AxisModel::Kind::gradient; }))
       return "'@numeric' needs a gradient axis";
     spec.fit = FitMethod::numeric;
+  } else if (text == "gauss") {
+    if (spec.text.starts_with("lattice") &&
+        spec.text.find(':', std::string_view("lattice:").size()) != std::string::npos)
+      return "'@gauss' puts polynomials through its nodes and takes no kernel";
+    spec.fit = FitMethod::gauss;
   } else {
-    return "unknown suffix '@" + std::string(text) + "' (known: @corners, @numeric, @lsq)";
+    return "unknown suffix '@" + std::string(text) + "' (known: @corners, @numeric, @gauss, @lsq)";
   }
   return "";
 }
@@ -161,10 +166,14 @@ std::optional<Error> checkRigSpec(const RigSpec& spec) {
     if (axis.nodes < 1 || axis.nodes > kMaxAxisNodes || (axis.nodes > 1) != (axis.kind == AxisModel::Kind::lattice))
       return Error{"a lattice axis has 2 to " + std::to_string(kMaxAxisNodes) + " nodes, any other has one", place};
   const bool lsq = spec.fit == FitMethod::lsq;
-  const int limit = lsq ? kMaxLsqVectors : kMaxShVectors;
+  const bool gauss = spec.fit == FitMethod::gauss;
+  if (gauss && spec.kernel != LatticeKernel::linear) return Error{"@gauss takes no kernel", place};
+  const int limit = lsq ? kMaxLsqVectors : gauss ? kMaxGaussVectors : kMaxShVectors;
   if (spec.shVectors() > limit)
     return Error{std::to_string(spec.shVectors()) + " SH vectors; at most " + std::to_string(limit) +
-                     (lsq ? " with least squares" : ""),
+                     (lsq     ? " with least squares"
+                      : gauss ? " with @gauss"
+                              : ""),
                  place};
   return std::nullopt;
 }

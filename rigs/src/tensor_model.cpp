@@ -41,6 +41,8 @@ Rig::TensorModel::TensorModel(RigSpec s, const RigShape& rest) : Model(std::move
     std::vector<double> constant(spec.shVectors(), 0);
     for (int n = 0; n < nodes_; ++n) constant[n * (1 + slopeAxes_.size())] = 1;
     surfaceFit_.emplace(*this, rest.surface, std::move(constant));
+  } else if (spec.fit == FitMethod::gauss) {
+    gaussGrid_.emplace(*this, std::array{axis_[0].nodes, axis_[1].nodes, axis_[2].nodes}, slopeAxes_, rest);
   } else {
     buildSamples();
     buildOperator();
@@ -104,6 +106,8 @@ void Rig::TensorModel::setPose(const RigPose& pose) noexcept {
   box_ = BoxCoordinates(pose.box);
   if (surfaceFit_) {
     surfaceFit_->setPose(*this, pose);
+  } else if (gaussGrid_) {
+    gaussGrid_->setPose(*this, box_);
   } else {
     placeSamples();
   }
@@ -111,17 +115,29 @@ void Rig::TensorModel::setPose(const RigPose& pose) noexcept {
 
 void Rig::TensorModel::basis(Vec3 p, RigBasis& out) const noexcept {
   const Vec3 u = box_(p);
-  std::array<AxisWeights, 3> w;
-  for (int a = 0; a < 3; ++a) w[a] = axisWeights(spec.kernel, axis_[a].nodes, u[a]);
+  std::array<AxisWeights, 3> kernel;
+  std::array<std::array<float, kMaxGaussVectors>, 3> lagrange;  // not initialised: only @gauss fills it
+  std::array<std::span<const float>, 3> w;
+  for (int a = 0; a < 3; ++a) {
+    const auto nodes = static_cast<std::size_t>(axis_[a].nodes);
+    if (gaussGrid_) {
+      gaussGrid_->axis(a).lagrange(std::clamp(u[a], -1.0f, 1.0f), lagrange[a]);
+      w[a] = std::span<const float>(lagrange[a]).first(nodes);
+    } else {
+      kernel[a] = axisWeights(spec.kernel, axis_[a].nodes, u[a]);
+      w[a] = std::span<const float>(kernel[a].weight).first(static_cast<std::size_t>(kernel[a].count));
+    }
+  }
   const int perNode = 1 + static_cast<int>(slopeAxes_.size());
   out.count = 0;
-  for (int k = 0; k < w[2].count; ++k) {
-    for (int j = 0; j < w[1].count; ++j) {
-      const float outer = w[2].weight[k] * w[1].weight[j];
-      const int row = (w[2].first + k) * stride_[2] + (w[1].first + j) * stride_[1];
-      for (int i = 0; i < w[0].count; ++i) {
-        const float b = outer * w[0].weight[i];
-        const int first = (row + (w[0].first + i) * stride_[0]) * perNode;
+  for (std::size_t k = 0; k < w[2].size(); ++k) {
+    for (std::size_t j = 0; j < w[1].size(); ++j) {
+      const float outer = w[2][k] * w[1][j];
+      const int row =
+          (kernel[2].first + static_cast<int>(k)) * stride_[2] + (kernel[1].first + static_cast<int>(j)) * stride_[1];
+      for (std::size_t i = 0; i < w[0].size(); ++i) {
+        const float b = outer * w[0][i];
+        const int first = (row + (kernel[0].first + static_cast<int>(i)) * stride_[0]) * perNode;
         out.index[out.count] = first;
         out.value[out.count++] = b;
         for (int s = 1; s < perNode; ++s) {

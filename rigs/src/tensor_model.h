@@ -5,6 +5,7 @@
 // slopes are left out: they would need second derivatives of the light.
 #pragma once
 
+#include "gauss_grid.h"
 #include "surface_fit.h"
 
 #include <optional>
@@ -28,6 +29,7 @@ class Rig::TensorModel final : public Rig::Model {
   std::vector<int> slopeAxes_;
   int nodes_ = 1;
   BoxCoordinates box_;
+  std::optional<GaussGrid> gaussGrid_;    // @gauss only
   std::optional<SurfaceFit> surfaceFit_;  // @lsq only
 };
 

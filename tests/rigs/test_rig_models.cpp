@@ -41,10 +41,17 @@ TEST(RigModels, EveryKindReproducesConstantLight) {
 }
 
 TEST(RigModels, ProjectionsCountFunctionals) {
-  const std::vector<std::pair<std::string, int>> cases = {{"constant", 1},         {"gradient", 4},
-                                                          {"gradient@numeric", 7}, {"lattice:3x2x2", 12},
-                                                          {"mixed:l3,g,c", 6},     {"mixed:l3,g,c@numeric", 9},
-                                                          {"poly:6", 12},          {"lattice:3x2x2@lsq", 24}};
+  const std::vector<std::pair<std::string, int>> cases = {{"constant", 1},
+                                                          {"gradient", 4},
+                                                          {"gradient@numeric", 7},
+                                                          {"lattice:3x2x2", 12},
+                                                          {"mixed:l3,g,c", 6},
+                                                          {"mixed:l3,g,c@numeric", 9},
+                                                          {"poly:6", 12},
+                                                          {"lattice:3x2x2@gauss", 12},
+                                                          {"mixed:l3,g,c@gauss", 6},
+                                                          {"gradient@gauss", 6},
+                                                          {"lattice:3x2x2@lsq", 24}};
   for (const auto& [text, projections] : cases) EXPECT_EQ(rigOf(text, kBody).projections(), projections) << text;
 }
 
@@ -71,7 +78,8 @@ TEST(RigModels, LinearLightIsExactWhereTheModelSpansIt) {
   const auto gradient = [](Vec3) { return Vec3{0.5f, -2, 0.25f}; };
   for (const std::string text :
        {"gradient", "gradient@numeric", "gradient@lsq", "lattice:2x2x2", "lattice:3x2x2", "lattice:4x3x2:cubic",
-        "lattice:3x2x2@lsq", "mixed:l3,g,g", "mixed:l3,g,g@numeric", "mixed:xyz:g,l4,l2", "poly:12", "poly:20"}) {
+        "lattice:3x2x2@lsq", "gradient@gauss", "lattice:3x2x2@gauss", "mixed:l3,g,g@gauss", "mixed:l3,g,g",
+        "mixed:l3,g,g@numeric", "mixed:xyz:g,l4,l2", "poly:12", "poly:20"}) {
     // 3e-5: float rounding of values around 4 through the fit; least squares adds its pull, 1e-6 times the condition.
     EXPECT_LT(worstError(rigOf(text, kBody), field, gradient), 3e-4f) << text;
   }
@@ -84,6 +92,23 @@ TEST(RigModels, PolyReproducesEveryMonomialItKeeps) {
   const auto field = [](Vec3 p) { return 0.3f * p.x * p.y - p.z * p.z + 2 * p.y - 0.7f * p.x * p.z + 1; };
   const auto fitted = fitField(rig, field, [](Vec3) { return Vec3{}; });
   for (Vec3 p : sphere) EXPECT_NEAR(fitted(p), field(p), 2e-3f);
+}
+
+TEST(RigModels, GaussReproducesPolynomialsOfItsNodes) {
+  // kBody is longest along x (three nodes), then z and y (two each): quadratic in x, linear in the others.
+  const auto field = [](Vec3 p) { return (1 + p.x - 0.5f * p.x * p.x) * (2 - p.y) * (1 + 0.25f * p.z); };
+  EXPECT_LT(worstError(rigOf("lattice:3x2x2@gauss", kBody), field, [](Vec3) { return Vec3{}; }), 5e-5f);
+}
+
+TEST(RigModels, GaussSamplesMoveWithTheBox) {
+  Rig rig = rigOf("lattice:3x2x2@gauss", kBody);
+  const std::vector<RigSample> rest(rig.samples().begin(), rig.samples().end());
+  const RigBox box = boxOf(kBody);
+  rig.setPose({{box.lo * 2 + Vec3{1, 0, 0}, box.hi * 2 + Vec3{1, 0, 0}}, {}});
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    EXPECT_LT(length(rig.samples()[i].position - (rest[i].position * 2 + Vec3{1, 0, 0})), 1e-5f);
+    EXPECT_FLOAT_EQ(rig.samples()[i].footprint, 2 * rest[i].footprint);
+  }
 }
 
 TEST(RigModels, AxesGoByDecreasingExtentUnlessPinned) {
@@ -109,7 +134,8 @@ TEST(RigModels, AxesGoByDecreasingExtentUnlessPinned) {
 
 TEST(RigModels, LatticeInterpolatesItsSamples) {
   const auto field = [](Vec3 p) { return std::sin(3 * p.x) + std::cos(2 * p.y) * p.z; };
-  for (const std::string text : {"lattice:3x2x2", "lattice:8x4x2", "lattice:4x3x2:cubic", "lattice:3x2x2:smooth"}) {
+  for (const std::string text : {"lattice:3x2x2", "lattice:8x4x2", "lattice:4x3x2:cubic", "lattice:3x2x2:smooth",
+                                 "lattice:3x2x2@gauss", "lattice:8x4x2@gauss"}) {
     const Rig rig = rigOf(text, kBody);
     const auto fitted = fitField(rig, field, [](Vec3) { return Vec3{}; });
     for (const RigSample& sample : rig.samples()) EXPECT_NEAR(fitted(sample.position), field(sample.position), 1e-5f);

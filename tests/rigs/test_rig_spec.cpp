@@ -22,6 +22,7 @@ TEST(RigSpec, DefaultsToThePapersFit) {
   EXPECT_EQ(specOf("lattice:3x2x2").fit, FitMethod::corners);
   EXPECT_EQ(specOf("mixed:l3,g,c").fit, FitMethod::corners);
   EXPECT_EQ(specOf("poly:6").fit, FitMethod::lsq);
+  EXPECT_EQ(specOf("lattice:3x2x2@gauss").fit, FitMethod::gauss);
 }
 
 TEST(RigSpec, RefusesWithTheSpecAndTheCause) {
@@ -48,6 +49,9 @@ TEST(RigSpec, RefusesWithTheSpecAndTheCause) {
                                                                   {"poly:6@corners", "always least squares"},
                                                                   {"auto@corners", "always least squares"},
                                                                   {"constant@numeric", "needs a gradient axis"},
+                                                                  {"lattice:3x2x2:smooth@gauss", "takes no kernel"},
+                                                                  {"lattice:3x2x2:linear@gauss", "takes no kernel"},
+                                                                  {"lattice:9x4x2@gauss", "at most 64 with @gauss"},
                                                                   {"gradient@gaus", "unknown suffix '@gaus'"},
                                                                   {"gradient@", "unknown suffix '@'"}};
   for (const auto& [text, cause] : cases) {

@@ -27,6 +27,8 @@ enum class LatticeKernel { linear, smooth, cubic };
 enum class FitMethod {
   corners,  // as the paper: lattice nodes spread over the box, corners included; analytic derivatives at its centre
   numeric,  // derivatives as secants between interior points (gradient axes only)
+  gauss,    // nodes where the object's surface is (Gauss quadrature of its distribution along each axis), a polynomial
+            // through them; slopes as secants between two such nodes
   lsq,      // least squares over sample points on the object's surface
 };
 
@@ -54,10 +56,11 @@ struct RigSpec {
 };
 
 inline constexpr int kMaxAxisNodes = 64;
-inline constexpr int kMaxShVectors = 512;  // per rig
-inline constexpr int kMaxPolyTerms = 56;   // all monomials up to degree 5
-inline constexpr int kAutoTerms = 12;      // of `auto` without a number
-inline constexpr int kMaxLsqVectors = 64;  // least squares solves a dense K x K system each frame
+inline constexpr int kMaxShVectors = 512;    // per rig
+inline constexpr int kMaxPolyTerms = 56;     // all monomials up to degree 5
+inline constexpr int kAutoTerms = 12;        // of `auto` without a number
+inline constexpr int kMaxGaussVectors = 64;  // every point sees all of them
+inline constexpr int kMaxLsqVectors = 64;    // least squares solves a dense K x K system each frame
 
 /// What is out of the limits above in a spec that was not parsed, or nothing.
 std::optional<Error> checkRigSpec(const RigSpec& spec);
