@@ -11,6 +11,8 @@ namespace {
 
 using detail::Vec3d;
 
+static_assert(sizeof(NearLight) == 15 * sizeof(float), "copied to GPUs as it is");
+
 NearLight black(NearLight::Kind kind) noexcept {
   NearLight out;
   out.kind = kind;
