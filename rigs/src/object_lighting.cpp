@@ -15,7 +15,7 @@ constexpr int kCheckPoints = 24;     // where rigs without anchors are compared 
 constexpr int kTruncationEvery = 3;  // the high bands, which vary less, are projected at every third point
 constexpr int kCandidates = 40;      // lights that are looked at one by one; the others stay in the rig
 constexpr float kSpatialMargin = 1.4f;  // see rigs/README.md
-constexpr float kTotalMargin = 1.25f;
+constexpr float kTotalMargin = 1.1f;
 
 /// One figure for a colour: RMS over its channels, as errors are pooled.
 float magnitude(Rgb c) noexcept { return std::sqrt((c.r * c.r + c.g * c.g + c.b * c.b) / 3); }
@@ -354,6 +354,7 @@ struct ObjectLighting<B>::State {
     const float reference = options.reference > 0 ? options.reference : frameMean;
     TradeOff::Request r;
     r.kind = options.target.kind;
+    r.spatialMargin = kSpatialMargin;
     r.slots = slots;
     r.vectors = nested ? 0 : rig.shVectors();
     r.highBand = r.kind != LightingTarget::Kind::spatialError && high.band >= B;
@@ -366,7 +367,7 @@ struct ObjectLighting<B>::State {
         r.value = options.target.value * reference / kTotalMargin;
         break;
       default:
-        r.value = options.target.value * reference / kSpatialMargin;
+        r.value = options.target.value * reference;
     }
     return r;
   }
@@ -385,8 +386,7 @@ struct ObjectLighting<B>::State {
     const float truncation =
         std::lerp(farError.truncation, farError.truncationHigh, choice.highBand * (2 - choice.highBand));
     if (wanted.kind == LightingTarget::Kind::totalError)
-      choice.spatialError =
-          std::sqrt(std::max(wanted.value * wanted.value - truncation, 0.04f * wanted.value * wanted.value));
+      choice.spatialError = TradeOff::spatialRoom(wanted, truncation);
     done(probe, LightingStage::choose);
 
     if (nested) {

@@ -17,6 +17,8 @@ constexpr float kFadeFrom = 0.7f, kFadeWidth = 0.6f;
 constexpr float kWindow = 0.5f;
 // Costs within this share of the least one blend.
 constexpr float kSoftness = 0.04f;
+// Of the squared total target, left to the spatial part where truncation alone takes all of it.
+constexpr float kLeastRoom = 0.04f;
 constexpr float kUnfit = 2000;  // ns, on top of a choice that misses its target by its own size or more
 
 float smoothstep(float x) noexcept {
@@ -156,6 +158,13 @@ float TradeOff::nanoseconds(const CostModel& cost, float vectors, float nearLigh
          cost.highBand * highBand;
 }
 
+float TradeOff::spatialRoom(const Request& request, float truncation) {
+  const float square = request.value * request.value;
+  const float room =
+      request.kind == LightingTarget::Kind::totalError ? std::max(square - truncation, kLeastRoom * square) : square;
+  return std::sqrt(room) / request.spatialMargin;
+}
+
 TradeOff::Choice TradeOff::choose(const Request& request) const {
   const bool budget = request.kind == LightingTarget::Kind::budget;
   const bool total = request.kind == LightingTarget::Kind::totalError;
@@ -164,7 +173,7 @@ TradeOff::Choice TradeOff::choose(const Request& request) const {
   };
   // What one level costs, with and without the high band; for a budget, how wrong it is.
   const auto look = [&](const Level& level, bool high) {
-    Option option{0, request.value, static_cast<float>(level.beyond.size()) - 1, 0};
+    Option option{0, 0, static_cast<float>(level.beyond.size()) - 1, 0};
     const float truncation = high ? level.truncationHigh : level.truncation;
     const auto most = level.beyond.size() - 1;
     if (budget) {
@@ -185,13 +194,8 @@ TradeOff::Choice TradeOff::choose(const Request& request) const {
       if (option.nanoseconds > request.value) option.objective *= 1 + option.nanoseconds - request.value;
       return option;
     }
-    float missed = 0;
-    if (total) {
-      const float room = request.value * request.value - truncation;
-      const float least = 0.04f * request.value * request.value;
-      option.spatial = std::sqrt(std::max(room, least));
-      missed = std::max(0.0f, std::sqrt(truncation + least) / request.value - 1);
-    }
+    option.spatial = spatialRoom(request, truncation);
+    float missed = total ? std::sqrt(truncation) / request.value - 1 : 0;
     float vectors = static_cast<float>(request.vectors);
     if (request.vectors == 0) {
       for (std::size_t j = 0; j < most; ++j)

@@ -36,7 +36,7 @@ struct LightRows {
 /// Mean-square errors [W/m2]^2 of the lights' rows weighted by 1 - w.
 struct FarError {
   std::vector<float> beyond;  // per J = 0..nested: spatial, where J nested coefficients are kept
-  float excess = 0;          // part of `beyond`
+  float excess = 0;           // part of `beyond`
   float truncation = 0;       // of the SH bands
   float truncationHigh = 0;   // with the constant high band
   std::vector<float> field;   // the weighted rows themselves
@@ -47,7 +47,8 @@ class TradeOff {
  public:
   struct Request {
     LightingTarget::Kind kind = LightingTarget::Kind::spatialError;
-    float value = 0;        // error [W/m2], or nanoseconds a point
+    float value = 0;          // error [W/m2], or nanoseconds a point
+    float spatialMargin = 1;  // estimated spatial errors are kept below what the target leaves them by this factor
     int slots = 0;          // near lights at most
     int vectors = 0;        // of a fixed rig; 0: nested
     bool highBand = false;  // available
@@ -75,6 +76,8 @@ class TradeOff {
   /// Mean-square spatial error with these weights.
   static float spatialSquare(const LightRows& rows, const FarError& error, std::span<const float> damping,
                              std::span<const float> weights);
+  /// What the target leaves for the spatial error [W/m2] beside a mean-square truncation.
+  static float spatialRoom(const Request& request, float truncation);
   static float nanoseconds(const CostModel& cost, float vectors, float nearLights, float highBand);
 
  private:
