@@ -1,5 +1,8 @@
 #include "bound_plan.h"
 
+#include "interpolation_bound.h"
+#include "sample_plan.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -18,8 +21,6 @@ constexpr KernelConstants constantsOf(LatticeKernel kernel, int nodes) noexcept 
   if (kernel == LatticeKernel::cubic && nodes > 2) return {0, 0.1407, 1.25};
   return {0, 0.125, 1};
 }
-
-constexpr double kSecant = 0.77459667;  // of the half extent, where @numeric looks (tensor_model.cpp)
 
 void planAxis(BoundPlan::Axis& axis, const AxisModel& model, const RigSpec& spec, double& lebesgue) noexcept {
   switch (model.kind) {
@@ -43,7 +44,7 @@ void planAxis(BoundPlan::Axis& axis, const AxisModel& model, const RigSpec& spec
 
 }  // namespace
 
-BoundPlan boundPlan(const Rig& rig, float radius) noexcept {
+BoundPlan boundPlan(const Rig& rig, float radius, detail::SamplePlan& samples) noexcept {
   BoundPlan plan;
   const RigSpec& spec = rig.spec();
   const RigBox& box = rig.box();
@@ -57,21 +58,23 @@ BoundPlan boundPlan(const Rig& rig, float radius) noexcept {
   }
   plan.radius = std::min<double>(std::sqrt(diagonal), radius >= 0 ? radius : kNoRange);
 
-  const bool nodal =
-      spec.family == RigSpec::Family::tensor && (spec.fit == FitMethod::corners || spec.fit == FitMethod::numeric);
-  if (!nodal) {
-    plan.kind = BoundPlan::Kind::surface;
-    return plan;
-  }
   const auto& models = rig.axes();
   for (const AxisModel::Kind kind : {AxisModel::Kind::lattice, AxisModel::Kind::constant, AxisModel::Kind::gradient})
     for (int a = 0; a < 3; ++a)
       if (models[a].kind == kind) planAxis(plan.axis[a], models[a], spec, plan.lebesgue);
   for (BoundPlan::Axis& axis : plan.axis) {
+    plan.gradients += axis.gradient > 0;
     axis.gradient *= plan.lebesgue;
     if (axis.node == 0) axis.first *= plan.lebesgue;
   }
   plan.numeric = spec.fit == FitMethod::numeric;
+  const bool nodal = spec.family == RigSpec::Family::tensor && (spec.fit == FitMethod::corners || plan.numeric);
+  if (!nodal) {
+    plan.kind = BoundPlan::Kind::samples;
+    plan.lebesgue = 1;
+    SamplePlanner(rig).plan(plan, samples);
+    return plan;
+  }
   const auto all = [&](AxisModel::Kind kind) {
     return std::ranges::all_of(models, [&](const AxisModel& m) { return m.kind == kind; });
   };

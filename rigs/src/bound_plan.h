@@ -5,6 +5,6 @@
 
 namespace rigel {
 
-detail::BoundPlan boundPlan(const Rig& rig, float radius) noexcept;
+detail::BoundPlan boundPlan(const Rig& rig, float radius, detail::SamplePlan& samples) noexcept;
 
 }  // namespace rigel

@@ -1,21 +1,21 @@
-// With M the light's window and cone, phi its irradiance without them for one normal, P the rig's operator (a sum of
+// With M the light's window and cone, phi its irradiance without them for one normal and P the rig's operator (a sum of
 // weighted samples), the error of the rig is (I - P)(M phi). It is at most the least of
 //
-//   cap       what M phi and P(M phi) can differ by, given the range of phi over points and samples
-//   max(M) |(I - P) phi| + |(I - P)((M - max M) phi)|
+//   cap                                        what M phi and P(M phi) can differ by, given their ranges
+//   m |(I - P) phi| + |(I - P)((M - m) phi)|   m a constant
 //
-// where |(I - P) phi| <= sum over axes of (H |d phi|, D^2/8 |d^2 phi|, H^2/2 |d^2 phi|) for (constant, lattice,
-// gradient) axes: P is the product of the axes' operators, those of lattice and constant axes have norm 1
-// (cubic: 1.25), and I - P1 P2 P3 = (I - P1) + P1 (I - P2) + P1 P2 (I - P3). Derivatives are those of light_field.h at
-// the point of the box nearest to the light, where they are largest. Over a ball the sums become integrals along the
-// radius towards the light, in closed form. Each of these is a theorem, not a fit.
+// For samples at the corners or the centre of a box, |(I - P) phi| <= sum over axes of (H |d phi|, D^2/8 |d^2 phi|,
+// H^2/2 |d^2 phi|) for (constant, lattice, gradient) axes: P is the product of the axes' operators, those of lattice
+// and constant axes have norm 1 (cubic 1.25), and I - P1 P2 P3 = (I - P1) + P1 (I - P2) + P1 P2 (I - P3). Derivatives
+// are those of light_field.h at the point of the box nearest to the light, where they are largest. Over a ball the sums
+// become integrals along the radius towards the light, in closed form. All this is theorem, not fit. For samples
+// anywhere, sample_bound.cpp.
 #include <rigel/light_bound.h>
 
 #include "bound_plan.h"
-#include "light_field.h"
+#include "interpolation_bound.h"
 #include "modulation_bound.h"
-
-#include "../../lights/src/vec3d.h"
+#include "sample_bound.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,300 +25,227 @@ namespace rigel {
 namespace {
 
 using detail::BoundPlan;
-using detail::Vec3d;
+using detail::SamplePlan;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-// Positions are floats: what their rounding and that of the projections can do, relative to the sizes involved and to
-// the light's peak.
-constexpr double kPositionRounding = 2.4e-7;
+// Of the light's peak and the sum of |weights|: rounding of the float path.
 constexpr double kValueRounding = 1e-6;
 
-/// Where a light is, seen from the object.
-struct Place {
-  std::array<double, 3> beyond{};  // from the box to the light along each axis
-  double box = 0;                  // distance to the box
-  double near = 0;                 // distance to the nearest point served, or less
-  double far = 0;                  // to the farthest, or more
-  double node = 0;                 // to the nearest sample, or less
-  double centre = 0;               // to the box's centre
+/// Values of opposite sign that a function takes: between -down and up.
+struct Range {
+  double down = 0, up = 0;
 };
 
-double norm(double x, double y, double z) noexcept { return std::sqrt(x * x + y * y + z * z); }
+/// Largest difference of two functions.
+double difference(Range a, Range b) noexcept { return std::max(a.up + b.down, a.down + b.up); }
 
-Place placeOf(const BoundPlan& plan, const std::array<double, 3>& light, double rounding) noexcept {
-  Place place;
-  std::array<double, 3> off{}, nodeOff{}, span{};
-  for (int a = 0; a < 3; ++a) {
-    const double x = std::abs(light[a] - plan.centre[a]);
-    off[a] = x;
-    place.beyond[a] = std::max(0.0, x - plan.axis[a].half);
-    nodeOff[a] = std::max(0.0, x - plan.axis[a].node);
-    span[a] = x + plan.axis[a].half;
+class Bound {
+ public:
+  Bound(const BoundPlan& plan, const SamplePlan& samples, const WrapField& wrap, const LightPlace& place,
+        const LightField& field) noexcept
+      : plan_(plan), samples_(samples), wrap_(wrap), served_(place.served), nodes_(place.nodes), field_(field) {
+    position_ = place.position;
+    near_ = served_.near;
+    nodePeak_ = field.peak(nodes_.near);
   }
-  const auto distance = [&](const std::array<double, 3>& v) { return norm(v[0], v[1], v[2]); };
-  const auto less = [&](double x) { return std::max(0.0, x - rounding); };
-  place.centre = distance(off);
-  place.box = less(distance(place.beyond));
-  place.near = std::max(place.box, less(place.centre - plan.radius));
-  place.far = std::min(distance(span), place.centre + plan.radius) + rounding;
-  place.node = less(distance(nodeOff));
-  return place;
-}
 
-/// |(I - P) phi| over the box from the derivatives at its nearest point; `slope` and `curvature`: more of both, in all
-/// directions.
-double boxError(const BoundPlan& plan, const Place& place, const LightField& field, double most, double slope,
-                double curvature) noexcept {
-  const double g = place.box;
-  if (!(g > field.radius())) return kInfinite;
-  const LightField::Slopes s = field.slopes(g);
-  double sum = 0;
-  double gradientSquare = 0, alongAll = 0, alongEach = 0;
-  int gradients = 0;
-  const double inverse = 1 / (g * g);
-  for (int a = 0; a < 3; ++a) {
-    const BoundPlan::Axis& axis = plan.axis[a];
-    const double w2 = std::min(1.0, place.beyond[a] * place.beyond[a] * inverse);
-    if (axis.first > 0) {
-      const double along = s.first * s.first * w2 + s.firstAcross * s.firstAcross * (1 - w2);
-      sum += axis.first * (most * std::sqrt(along) + slope);
-    }
-    sum += axis.second * (most * (s.second * w2 + s.secondAcross * (1 - w2)) + curvature);
-    if (axis.gradient > 0) {
-      const double square = axis.gradient * axis.half;
-      ++gradients;
-      gradientSquare += square;
-      alongAll += w2;
-      alongEach += w2 * square;
-    }
-  }
-  if (gradients == 0) return sum;
-  // Taylor's remainder with the slopes at the node: delta^T H delta / 2, (delta . w)^2 by Cauchy's inequality.
-  const double along = std::min(gradientSquare * std::min(1.0, alongAll), gradients * alongEach);
-  return sum +
-         (most * (s.secondAcross * gradientSquare + (s.second - s.secondAcross) * along) + curvature * gradientSquare) /
-             2;
-}
-
-/// The same over a ball about the centre, for one sample at its centre with or without slopes.
-double ballError(const BoundPlan& plan, const Place& place, const LightField& field, double cap) noexcept {
-  const double b = plan.radius;
-  const double d = place.centre;
-  const double r = field.radius();
-  const double clearance = d - r;
-  if (!(clearance > 0) || !std::isfinite(d)) return cap;
-  const double near = std::max(d - b, r);
-  const double inside = d - b < r ? field.changeInside(std::max(0.0, d - b)) : 0.0;
-  const double depth = d - near;
-  // Differences of nearly equal values far away, where the derivative at the near end is as good.
-  constexpr double kFar = 1e-5;
-  const LightField::Slopes s = field.slopes(std::max(near, r * (1 + 1e-9)));
-  double error;
-  if (plan.constant) {
-    error = inside + (depth < kFar * d ? depth * s.first : field.change(near, d));
-  } else {
-    const double held = field.heldSlope(d);
-    const double lost = std::max(0.0, field.slopes(d).first - held);
-    error = inside + (depth < kFar * d ? depth * depth / 2 * s.second : field.remainder(near, d)) + depth * lost +
-            (b - depth) * held;
-  }
-  // A light about to swallow the centre: over to the cap, which holds inside too.
-  const double share = std::min(1.0, 4 * clearance / b);
-  return b > 0 ? cap + share * (std::min(error, cap) - cap) : 0.0;
-}
-
-/// What field and rig can differ by. Values lie between -lobe and 1 times the peak.
-struct Caps {
-  double error = 0;
-  double slope = 0;  // sum over gradient axes of half extent times slope, per unit of slope
-};
-
-}  // namespace
-
-LightBounds::LightBounds(const Rig& rig, const RigFrame& worldFromRig, float wrap, float radius) noexcept
-    : worldFromRig_(worldFromRig), wrap_(wrapField(wrap)), plan_(boundPlan(rig, radius)) {}
-
-namespace {
-
-double capOf(const BoundPlan& plan, const detail::WrapField& wrap, const Place& place, const LightField& field,
-             double peak, double nodePeak) noexcept {
-  double cap = plan.lebesgue > 1 ? (1 + plan.lebesgue) / 2 * (1 + wrap.lobe) * peak : peak + wrap.lobe * nodePeak;
-  double gradients = 0;
-  for (const BoundPlan::Axis& axis : plan.axis) gradients += axis.gradient;
-  if (gradients > 0) {
-    cap += plan.numeric
-               ? gradients > 0
-                     ? (1 + wrap.lobe) * nodePeak / (2 * 0.77459667) *
-                           ((plan.axis[0].gradient > 0) + (plan.axis[1].gradient > 0) + (plan.axis[2].gradient > 0)) *
-                           plan.lebesgue
-                     : 0
-               : gradients * field.heldSlope(place.node);
-  }
-  return cap;
-}
-
-/// More error of secants than of slopes: h^2/6 times the third derivative, or h/2 times the second.
-double secantError(const BoundPlan& plan, const Place& place, const LightField& field, double curvature,
-                   double most) noexcept {
-  const double g = place.node;
-  if (!(g > field.radius())) return kInfinite;
-  const double c = std::sqrt((g - field.radius()) * (g + field.radius())) / g;
-  const double third = 24 * field.peak(g) / (g * g * g) / (c * c * c * c * c);
-  const double second = field.slopes(g).second;
-  double sum = 0;
-  for (const BoundPlan::Axis& axis : plan.axis) {
-    const double h = axis.node;
-    if (axis.gradient > 0)
-      sum += axis.gradient * (most * std::min(h * h / 6 * third, h / 2 * second) + h / 2 * curvature);
-  }
-  return sum;
-}
-
-LightBound boundOf(const BoundPlan& plan, const detail::WrapField& wrap, const Place& place, const LightField& field,
-                   const ModulationBound& m) noexcept {
-  const double peak = field.peak(place.near);
-  const double most = m.most;
-  LightBound out;
-  if (!(most > 0) || !(peak > 0)) return out;
-  constexpr double kLargest = std::numeric_limits<float>::max();
-  constexpr double kLeast = std::numeric_limits<float>::min();
-  const auto held = [=](double x) { return static_cast<float>(std::clamp(x, kLeast, kLargest)); };
-  out.peak = held(most * std::max(peak, field.exactPeak(place.near)));
-
-  const double nodePeak = std::min(peak, field.peak(place.node));
-  const double plainCap = capOf(plan, wrap, place, field, peak, nodePeak);
-  double cap = most * plainCap;
-  double error = plainCap;
-  double vary = 0;
-  if (plan.kind == BoundPlan::Kind::surface) {
-    out.error = held(4 * cap);
+  /// `served`, `nodes`: the modulation over points and samples. `lit`: distance to the nearest point that it lights.
+  LightBound operator()(const ModulationBound& served, const ModulationBound& nodes, double lit) noexcept {
+    LightBound out;
+    if (!(served.most > 0)) return out;
+    const double error =
+        plan_.kind == BoundPlan::Kind::samples ? sampleError(served, lit) : tensorError(served, nodes, lit);
+    const double reach = std::max(lit, near_);
+    const double peak = field_.peak(reach);
+    out.peak = held(served.most * std::max(peak, field_.exactPeak(reach)));
+    out.error = held(error + kValueRounding * plan_.lebesgue * served.most * peak);
     return out;
   }
-  if (plan.kind == BoundPlan::Kind::ball) error = ballError(plan, place, field, plainCap);
-  double secant = 0;
-  if (plan.numeric) secant = secantError(plan, place, field, 0, 1);
-  error = std::min(error + secant, std::min(plainCap, boxError(plan, place, field, 1, 0, 0) + secant));
-  if (m.most > m.least) {
-    double slopes = 0;
-    if (!plan.numeric)
-      for (const BoundPlan::Axis& axis : plan.axis) slopes += axis.gradient * nodePeak * m.slope;
-    cap += slopes;
-    const double swing = (m.most - m.least) * (plan.constant ? nodePeak : plainCap) + slopes;
-    const double first = place.box > field.radius() ? field.slopes(place.box).first : kInfinite;
-    double smooth = kInfinite;
-    if (place.box > field.radius()) {
-      const double curvature = 2 * m.slope * first + m.curvature * peak;
-      smooth = boxError(plan, place, field, 0, m.slope * peak, curvature);
-      if (plan.numeric) smooth += secantError(plan, place, field, curvature, 0);
-    }
-    vary = std::min(swing, smooth);
+
+ private:
+  static float held(double x) noexcept {
+    constexpr double kLargest = std::numeric_limits<float>::max();
+    constexpr double kLeast = std::numeric_limits<float>::min();
+    return static_cast<float>(std::clamp(x, kLeast, kLargest));
   }
-  out.error = held(std::min(most * error + vary, cap) + kValueRounding * most * peak);
-  return out;
-}
 
-/// In double: a light close to the object must not move by the rounding of far-away coordinates.
-std::array<double, 3> inRigFrame(const RigFrame& frame, Vec3d v) noexcept {
-  return {dot(detail::widen(frame.x), v), dot(detail::widen(frame.y), v), dot(detail::widen(frame.z), v)};
-}
+  Range light(double peak) const noexcept { return {wrap_.lobe * peak, peak}; }
 
-struct Local {
-  Place place;
-  std::array<double, 3> position;
-  bool valid = false;
+  /// Of weighted sums of values in `values`, the sum of |weights| being at most `lebesgue` and that of weights 1.
+  static Range blended(Range values, double lebesgue) noexcept {
+    const double spread = (lebesgue - 1) / 2 * (values.up + values.down);
+    return {values.down + spread, values.up + spread};
+  }
+
+  /// What slopes add to the rig's values where the light is modulated by up to `most` with slope `slope` at the nodes.
+  double slopeRange(double most, double slope) const noexcept {
+    if (plan_.gradients == 0) return 0;
+    double sum = 0;
+    for (const BoundPlan::Axis& axis : plan_.axis) {
+      if (!(axis.gradient > 0)) continue;
+      sum += plan_.numeric ? most * (1 + wrap_.lobe) * nodePeak_ / (2 * kSecant) * axis.gradient / axis.half
+                           : axis.gradient * (most * heldSlope() + slope * nodePeak_);
+    }
+    return sum;
+  }
+
+  /// Of one sample the slope is known at its very distance; within the light it falls to 0 at the centre.
+  double heldSlope() const noexcept {
+    const double slope = field_.heldSlope(nodes_.near);
+    const bool one = plan_.kind == BoundPlan::Kind::ball;
+    return one && nodes_.far < field_.radius() ? slope * nodes_.far / field_.radius() : slope;
+  }
+
+  double tensorError(const ModulationBound& m, const ModulationBound& n, double lit) const noexcept {
+    const Range plainLight = light(field_.peak(near_));
+    const auto rigRange = [&](double most, double slope) {
+      const Range values = blended(light(most * nodePeak_), plan_.lebesgue);
+      const double slopes = slopeRange(most, slope);
+      return Range{values.down + slopes, values.up + slopes};
+    };
+    const double plainCap = difference(plainLight, rigRange(1, 0));
+    const double secant = secantError(plan_, nodes_, field_);
+    double plain = boxError(plan_, served_, field_);
+    if (plan_.kind == BoundPlan::Kind::ball) plain = std::min(plain, ballError(plan_, served_, field_, plainCap));
+    plain = std::min(plain + secant, plainCap);
+    if (!(m.least < 1)) return plain;
+
+    const double cap = difference(light(m.most * field_.peak(std::max(lit, near_))), rigRange(n.most, n.slope));
+    return std::min(
+        {cap, n.most * plain + swing(m, n, plainLight.up), m.most * plain + smoothVariation(m), centred(m, n, plain)});
+  }
+
+  /// |(I - P)((M - m) phi)| from the ranges, m the largest M at the samples.
+  double swing(const ModulationBound& m, const ModulationBound& n, double peak) const noexcept {
+    const double above = std::max(0.0, m.most - n.most);
+    const double below = std::max(0.0, n.most - m.least);
+    const double swung = n.most - n.least;
+    const Range points{peak * std::max(below, wrap_.lobe * above), peak * std::max(above, wrap_.lobe * below)};
+    Range rig = blended({swung * nodePeak_, swung * wrap_.lobe * nodePeak_}, plan_.lebesgue);
+    const double slopes = slopeRange(swung, n.slope);
+    return difference(points, {rig.down + slopes, rig.up + slopes});
+  }
+
+  /// The same from slope and curvature of M, m the largest M.
+  double smoothVariation(const ModulationBound& m) const noexcept {
+    if (!(served_.box > field_.radius())) return kInfinite;
+    const double first = field_.slopes(served_.box).first;
+    const double peak = field_.peak(served_.box);
+    return boxError(plan_, Roughness{m.slope * peak, 2 * m.slope * first + m.curvature * peak});
+  }
+
+  /// For one sample at the centre c, from
+  ///   M phi - P(M phi) = M(c) (phi - P phi) + phi(c) (M - P M) + (M - M(c)) (phi - phi(c)) with slopes,
+  ///                      M (phi - phi(c)) + phi(c) (M - M(c)) without.
+  double centred(const ModulationBound& m, const ModulationBound& n, double plain) const noexcept {
+    if (plan_.kind != BoundPlan::Kind::ball || plan_.numeric) return kInfinite;
+    const double off = std::max(m.most - n.least, n.most - m.least);
+    if (plan_.constant) return m.most * plain + nodePeak_ * off;
+    const double b = plan_.radius;
+    const double remainder = std::min(b * b / 2 * m.curvature, off + b * n.slope);
+    const double start = served_.centre - b;
+    const double change = start > field_.radius() ? field_.change(start, served_.centre) : kInfinite;
+    const double swing = (1 + wrap_.lobe) * field_.peak(near_);
+    return n.most * plain + nodePeak_ * remainder + off * std::min(change, swing);
+  }
+
+  double sampleError(const ModulationBound& m, double lit) noexcept {
+    const double corners = plan_.polynomial ? 0.0 : boxError(plan_, served_, field_);
+    const SampleBound bound = sampleBound(plan_, samples_, wrap_, field_, position_, served_.box, corners);
+    near_ = std::max(near_, bound.near);
+    const double boxPeak = field_.peak(served_.box);
+    const double span =
+        difference(light(field_.peak(near_)), blended(light(boxPeak), plan_.lebesgue)) + plan_.offset * boxPeak;
+    const double peak = field_.peak(std::max(lit, near_));
+    const double cap = std::min(span, peak + bound.cap);
+    const double plain = std::min(bound.error, cap);
+    return std::min(m.most * plain + (m.most - m.least) * cap, m.most * cap);
+  }
+
+  const BoundPlan& plan_;
+  const SamplePlan& samples_;
+  const WrapField& wrap_;
+  const Region& served_;
+  const Region& nodes_;
+  const LightField& field_;
+  Triple position_;
+  double near_;
+  double nodePeak_;
 };
 
-Local localOf(const BoundPlan& plan, const RigFrame& frame, Vec3 position) noexcept {
-  Local local;
-  const Vec3d offset = detail::widen(position) - detail::widen(frame.origin);
-  local.position = inRigFrame(frame, offset);
-  double size = plan.radius;
-  for (int a = 0; a < 3; ++a)
-    size = std::max({size, std::abs(static_cast<double>(position[a])), std::abs(static_cast<double>(frame.origin[a])),
-                     std::abs(plan.centre[a])});
-  local.place = placeOf(plan, local.position, kPositionRounding * size);
-  local.valid = std::isfinite(local.place.centre);
-  return local;
+template <class... Floats>
+bool anyNan(Floats... values) noexcept {
+  return ((values != values) || ...);
 }
 
-/// Cosines between the spot's axis and the directions to the points served.
-Interval cosines(const BoundPlan& plan, const Local& local, const std::array<double, 3>& axis, double radius) noexcept {
-  const Place& place = local.place;
-  if (!(place.near > 0)) return {-1, 1};
-  double middle = 0, reach = 0;
-  for (int a = 0; a < 3; ++a) {
-    middle += (plan.centre[a] - local.position[a]) * axis[a];
-    reach += plan.axis[a].half * std::abs(axis[a]);
-  }
-  reach = std::min(reach, plan.radius);
-  const double lo = middle - reach;
-  const double hi = middle + reach;
-  Interval out{std::max(-1.0, lo / (lo > 0 ? place.far : place.near)),
-               std::min(1.0, hi / (hi > 0 ? place.near : place.far))};
-
-  // The same from the cone that holds the ball; faded out before the light reaches the ball.
-  const double sine = plan.radius / place.centre;
-  if (sine < 1) {
-    const double cosine = std::sqrt(1 - sine * sine);
-    const double towards = std::clamp(middle / place.centre, -1.0, 1.0);
-    const double across = std::sqrt(1 - towards * towards);
-    const double fade = std::clamp((1 - sine) * 6, 0.0, 1.0);
-    const double ballHi = towards >= cosine ? 1 : towards * cosine + across * sine;
-    const double ballLo = -towards >= cosine ? -1 : towards * cosine - across * sine;
-    out.hi = std::min(out.hi, 1 + fade * (ballHi - 1));
-    out.lo = std::max(out.lo, -1 + fade * (ballLo + 1));
-  }
-  // Within the light the cosine shrinks to 0 at its centre.
-  if (place.near < radius) {
-    const double shrink = place.near / radius;
-    out.lo = std::min(out.lo, out.lo * shrink);
-    out.hi = std::max(out.hi, out.hi * shrink);
-  }
-  return {std::min(out.lo, out.hi), out.hi};
+/// Unit vector, or nothing where it has no direction.
+bool unitOf(Vec3 v, Triple& unit) noexcept {
+  const Triple wide{v.x, v.y, v.z};
+  const double length = std::sqrt(wide[0] * wide[0] + wide[1] * wide[1] + wide[2] * wide[2]);
+  if (!(length > 0) || !std::isfinite(length)) return false;
+  for (int a = 0; a < 3; ++a) unit[a] = wide[a] / length;
+  return true;
 }
 
 double pointRadius(float radius) noexcept { return std::max(radius, kMinPointRadius); }
 
 }  // namespace
 
+LightBounds::LightBounds(const Rig& rig, const RigFrame& worldFromRig, float wrap, float radius) noexcept
+    : worldFromRig_(worldFromRig), wrap_(wrapField(wrap)), plan_(boundPlan(rig, radius, samples_)) {}
+
 LightBound LightBounds::operator()(const DirectionalLight& light) const noexcept {
-  const Vec3d axis = detail::directionOf(light.direction);
-  if (detail::dot(axis, axis) == 0) return {};
-  // Two and three bands of a delta: the SH peak, and the kernel's own 1.
-  return {0, static_cast<float>(std::max(1.0, wrap_.s0 / 2 + wrap_.s1 / 2 + wrap_.s2 / 2))};
+  Triple axis;
+  if (!unitOf(light.direction, axis)) return {};
+  // The kernel's own largest value, and that of its three bands.
+  return {0, static_cast<float>(std::max(1.0, (wrap_.s0 + wrap_.s1 + wrap_.s2) / 2))};
 }
 
 LightBound LightBounds::operator()(const PointLight& light) const noexcept {
-  if (detail::anyNan(light.radius, light.range)) return {};
-  const Local local = localOf(plan_, worldFromRig_, light.position);
-  if (!local.valid) return {};
+  const LightPlace place = placeOf(plan_, worldFromRig_, light.position);
+  if (!place.valid || anyNan(light.radius, light.range)) return {};
   const LightField field(wrap_, 1, pointRadius(light.radius));
-  return boundOf(plan_, wrap_, local.place, field, windowBound(light.range, local.place.near, local.place.far));
+  Bound bound(plan_, samples_, wrap_, place, field);
+  return bound(windowBound(light.range, place.served.near, place.served.far),
+               windowBound(light.range, place.nodes.near, place.nodes.far), place.served.near);
 }
 
 LightBound LightBounds::operator()(const SpotLight& light) const noexcept {
-  if (detail::anyNan(light.radius, light.range) || detail::anyNan(light.innerAngle, light.outerAngle)) return {};
-  const Vec3d direction = detail::directionOf(light.direction);
-  const Local local = localOf(plan_, worldFromRig_, light.position);
-  if (!local.valid || detail::dot(direction, direction) == 0) return {};
+  const LightPlace place = placeOf(plan_, worldFromRig_, light.position);
+  Triple direction;
   const double cosOuter = std::cos(static_cast<double>(light.outerAngle));
   const double width = std::max<double>(std::cos(static_cast<double>(light.innerAngle)) - cosOuter, kMinConeWidth);
-  if (detail::anyNan(cosOuter, width)) return {};
+  if (!place.valid || anyNan(light.radius, light.range) || anyNan(cosOuter, width)) return {};
+  if (!unitOf(light.direction, direction)) return {};
+  const Triple axis = inRigFrame(worldFromRig_, direction);
   const double radius = pointRadius(light.radius);
   const LightField field(wrap_, 1, radius);
-  const Interval cosine = cosines(plan_, local, inRigFrame(worldFromRig_, direction), radius);
-  const ModulationBound window = windowBound(light.range, local.place.near, local.place.far);
-  return boundOf(plan_, wrap_, local.place, field,
-                 window * coneBound(cosOuter, width, cosine, local.place.near, radius));
+
+  // The part of the region within the cone may be farther than its nearest point, or beyond its end: fade out there.
+  const double lit = litDistance(place.served, axis, cosOuter);
+  constexpr double kFade = 0.05;
+  const double beyond = lit / place.served.far - 1;
+  if (!(beyond < kFade)) return {};
+  const auto over = [&](const Region& region, double near) {
+    // A sample's footprint acts as a larger radius.
+    const double size = std::max(radius, static_cast<double>(samples_.footprint));
+    return windowBound(light.range, near, region.far) *
+           coneBound(cosOuter, width, cosines(region, axis, size), near, radius);
+  };
+  ModulationBound served = over(place.served, lit);
+  if (beyond > 0) served.most *= 1 - beyond / kFade;
+  Bound bound(plan_, samples_, wrap_, place, field);
+  return bound(served, over(place.nodes, place.nodes.near), lit);
 }
 
 LightBound LightBounds::operator()(const SphereLight& light) const noexcept {
-  if (!(light.radius > 0)) return {};
-  const Local local = localOf(plan_, worldFromRig_, light.position);
-  if (!local.valid) return {};
+  const LightPlace place = placeOf(plan_, worldFromRig_, light.position);
+  if (!place.valid || !(light.radius > 0)) return {};
   const double radius = light.radius;
-  return boundOf(plan_, wrap_, local.place, LightField(wrap_, kPi * radius * radius, radius), {});
+  const LightField field(wrap_, kPi * radius * radius, radius);
+  Bound bound(plan_, samples_, wrap_, place, field);
+  return bound({}, {}, place.served.near);
 }
 
 }  // namespace rigel

@@ -32,6 +32,7 @@ class LightField {
   LightField(const WrapField& wrap, double power, double radius) noexcept : w_(&wrap), a_(power), r_(radius) {}
 
   double radius() const noexcept { return r_; }
+  double power() const noexcept { return a_; }
 
   /// Largest SH irradiance at distance rho or more.
   double peak(double rho) const noexcept;

@@ -4,6 +4,8 @@
 
 #include <rigel/rig.h>
 
+#include "surface_probes.h"
+
 namespace rigel {
 
 /// P, row k: entries [rowStart[k], rowStart[k+1]) of column and weight. Built once with its final sparsity; setPose
@@ -33,6 +35,7 @@ class Rig::Model {
   RigBox box;                     // of the current pose; kept by Rig
   std::array<AxisModel, 3> axes;  // of x, y, z; tensor models
   std::vector<int> anchors;
+  SurfaceProbes probes;  // between the anchors; kept by Rig
   std::vector<RigSample> samples;
   int functionals = 0;  // sum of 1 + derivatives
   SparseOperator op;

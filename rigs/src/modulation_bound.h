@@ -1,7 +1,7 @@
 // Between which values a light's range window and spot cone vary over an object, and how fast.
 #pragma once
 
-#include <rigel/light.h>
+#include "light_place.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,10 +39,6 @@ inline ModulationBound windowBound(double range, double near, double far) noexce
   const double least = factor(x1);
   return {least * least, most * most, slope / range, curve / (range * range)};
 }
-
-struct Interval {
-  double lo, hi;
-};
 
 /// smoothstep((cosine - outer) / width) where the cosine lies in `cosine`, at distances of at least `near` from the
 /// centre of a light of that radius.

@@ -32,6 +32,7 @@ Result<Rig> Rig::create(const RigSpec& spec, const RigShape& rest) {
   }
   std::vector<Vec3> anchors;
   for (int i : model->anchors) anchors.push_back(rest.surface[i]);
+  model->probes = probeSurface(rest, model->anchors);
   model->box = rest.box;
   model->setPose({rest.box, anchors});
   return Rig(std::move(model));

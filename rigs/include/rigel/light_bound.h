@@ -4,6 +4,9 @@
 #include <rigel/light.h>
 #include <rigel/rig_light.h>
 
+#include <array>
+#include <cstdint>
+
 namespace rigel {
 
 /// Irradiance [W/m2] per unit of the light's colour (irradiance, intensity or radiance), largest over the points the
@@ -24,9 +27,37 @@ struct WrapField {
   double fullSphere = 0;
 };
 
+/// What the bounds need of a rig that samples values anywhere: where, how strongly they count, and which polynomials
+/// it spans.
+struct SamplePlan {
+  static constexpr int kMaxSamples = 128;
+  static constexpr int kMaxProbes = 3 * kMaxSamples;
+  static constexpr int kMaxTerms = 192;
+  static constexpr int kMaxDegree = 17;
+  struct Sample {
+    float x = 0, y = 0, z = 0;
+    float footprint = 0;
+    float weight = 0;  // largest |weight| at a point served
+  };
+  /// Error per strength of the field's Chebyshev coefficient of these degrees, or of these and higher ones.
+  struct Term {
+    std::array<std::uint8_t, 3> degree{};
+    float factor = 0;
+    bool single = false;
+  };
+  int samples = 0;
+  int terms = 0;
+  std::array<Sample, kMaxSamples> sample;
+  std::array<Term, kMaxTerms> term;
+  int probes = 0;
+  std::array<std::array<float, 3>, kMaxProbes> probe;  // more points of the surface
+  float cover = -1;     // m; no point served is farther from the nearest sample or probe; negative: the box is served
+  float footprint = 0;  // largest
+};
+
 /// What the bounds need of a rig in a pose.
 struct BoundPlan {
-  enum class Kind { tensor, ball, surface };
+  enum class Kind { tensor, ball, samples };
   struct Axis {
     double half = 0;      // of the box
     double node = 0;      // of the box of the rig's own samples
@@ -37,10 +68,13 @@ struct BoundPlan {
   Kind kind = Kind::tensor;
   std::array<Axis, 3> axis;
   std::array<double, 3> centre{};
-  double radius = 0;      // of a ball about the centre that holds all points served
-  double lebesgue = 1;    // largest sum of |weights| of the samples, slopes apart
-  bool numeric = false;   // slopes are secants
-  bool constant = false;  // no slope, no lattice: one value
+  double radius = 0;        // of a ball about the centre that holds all points served
+  double lebesgue = 1;      // largest sum of |weights| of the samples, slopes apart
+  int gradients = 0;        // axes
+  double offset = 0;        // error of constant light
+  bool numeric = false;     // slopes are secants
+  bool constant = false;    // no slope, no lattice: one value
+  bool polynomial = false;  // kind samples: spans polynomials; else what `axis` says
 };
 
 }  // namespace detail
@@ -60,6 +94,7 @@ class LightBounds {
  private:
   RigFrame worldFromRig_;
   detail::WrapField wrap_;
+  detail::SamplePlan samples_;  // kind samples; filled by plan_
   detail::BoundPlan plan_;
 };
 

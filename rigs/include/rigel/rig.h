@@ -98,6 +98,7 @@ class Rig {
  private:
   class TensorModel;
   class PolyModel;
+  friend class SamplePlanner;  // light_bound.h reads the operator
   explicit Rig(std::unique_ptr<Model> model) noexcept;
   std::unique_ptr<Model> model_;
 };

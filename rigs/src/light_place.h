@@ -1,0 +1,46 @@
+// Where a light is, seen from the points that a rig serves and from its samples.
+#pragma once
+
+#include <rigel/light_bound.h>
+
+namespace rigel {
+
+using Triple = std::array<double, 3>;
+
+/// A box, cut by a ball about its centre, as a light sees it.
+struct Region {
+  Triple towards{};  // from the light to the centre
+  Triple half{};
+  double radius = 0;
+  Triple beyond{};    // from the box's nearest face to the light, along each axis
+  double centre = 0;  // distances: to the centre,
+  double box = 0;     // to the box, or less,
+  double near = 0;    // to the nearest point, or less,
+  double far = 0;     // to the farthest, or more
+};
+
+struct LightPlace {
+  Triple position{};  // in the rig frame
+  Region served;
+  Region nodes;  // of the rig's samples
+  bool valid = false;
+};
+
+/// In double: a light that touches the object must not move by the rounding of far-away coordinates. Distances are
+/// shortened (near) or lengthened (far) by what the rounding of float positions can do.
+LightPlace placeOf(const detail::BoundPlan& plan, const RigFrame& worldFromRig, Vec3 position) noexcept;
+
+Triple inRigFrame(const RigFrame& worldFromRig, const Triple& vector) noexcept;
+
+struct Interval {
+  double lo = -1, hi = 1;
+};
+
+/// Cosines between `axis` (unit, rig frame) and the directions from a light of that radius to the region.
+Interval cosines(const Region& region, const Triple& axis, double radius) noexcept;
+
+/// Distance to the nearest point of the region within the cone about `axis`, or less; infinite where the cone misses it
+/// for certain.
+double litDistance(const Region& region, const Triple& axis, double cosOuter) noexcept;
+
+}  // namespace rigel

@@ -1,0 +1,232 @@
+#include "sample_plan.h"
+
+#include "model.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rigel {
+namespace {
+
+using detail::BoundPlan;
+using detail::SamplePlan;
+
+// Between the points probed, weights can be a little larger.
+constexpr double kBetweenProbes = 1.1;
+
+// Degrees beyond the span whose error is measured; of the rest only the sum of the weights is known.
+constexpr int kLayers = 2;
+
+/// How much stronger a mixed term can be than the product of its axes' strengths: square root of (i+j+k)!/(i! j! k!).
+float mixing(const std::array<std::uint8_t, 3>& m) noexcept {
+  float product = 1;
+  int total = 0;
+  for (const int degree : m)
+    for (int i = 1; i <= degree; ++i) product *= static_cast<float>(++total) / static_cast<float>(i);
+  return std::sqrt(product);
+}
+
+}  // namespace
+
+SamplePlanner::SamplePlanner(const Rig& rig) noexcept : rig_(rig) {
+  for (int a = 0; a < 3; ++a) {
+    const double lo = rig.box().lo[a];
+    const double hi = rig.box().hi[a];
+    centre_[a] = (lo + hi) / 2;
+    inverseHalf_[a] = hi > lo ? 2 / (hi - lo) : 0;
+  }
+}
+
+bool SamplePlanner::watches(int i, int j, int k) const noexcept {
+  const Degrees wanted{static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(j), static_cast<std::uint8_t>(k)};
+  return std::find(watch_.begin(), watch_.begin() + watched_, wanted) != watch_.begin() + watched_;
+}
+
+void SamplePlanner::watch(int i, int j, int k) noexcept {
+  if (watched_ == kMaxWatched || std::max({i, j, k}) >= SamplePlan::kMaxDegree || watches(i, j, k)) return;
+  watch_[watched_++] = {static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(j), static_cast<std::uint8_t>(k)};
+}
+
+void SamplePlanner::watchBeyond() noexcept {
+  // Complete layers only: what is watched must hold every divisor of its members.
+  for (int layer = 0; layer < kLayers; ++layer) {
+    const int before = watched_;
+    for (int t = 0; t < before; ++t) {
+      const Degrees m = watch_[t];
+      for (int a = 0; a < 3; ++a) {
+        Degrees next = m;
+        ++next[a];
+        bool complete = true;
+        for (int b = 0; b < 3; ++b)
+          complete = complete && (next[b] == 0 || watches(next[0] - (b == 0), next[1] - (b == 1), next[2] - (b == 2)));
+        if (complete) watch(next[0], next[1], next[2]);
+      }
+    }
+  }
+}
+
+void SamplePlanner::readSpan(BoundPlan& plan) noexcept {
+  const RigSpec& spec = rig_.spec();
+  if (spec.family == RigSpec::Family::poly) {
+    // The basis functions are monomials of box coordinates times a common factor: at (1/2, 1, 1) they are 2^-(degree of
+    // x) of the first, which is 1.
+    plan.polynomial = true;
+    const RigBox& box = rig_.box();
+    std::array<RigBasis, 3> at;
+    for (int a = 0; a < 3; ++a) {
+      Vec3 p = box.hi;
+      p[a] = static_cast<float>(centre_[a] + 0.25 * (static_cast<double>(box.hi[a]) - static_cast<double>(box.lo[a])));
+      rig_.basis(p, at[a]);
+    }
+    const auto degree = [](float value) {
+      return value > 0 ? std::clamp(static_cast<int>(std::lround(-std::log2(value))), 0, SamplePlan::kMaxDegree - 1)
+                       : 0;
+    };
+    const auto ratio = [&](int a, int k) { return degree(at[a].value[k] / at[a].value[0]); };
+    for (int k = 0; k < at[0].count; ++k) watch(ratio(0, k), ratio(1, k), ratio(2, k));
+    return;
+  }
+  const auto& axes = rig_.axes();
+  const auto nodes = [&](int a) { return axes[a].kind == AxisModel::Kind::lattice ? axes[a].nodes : 1; };
+  // Two nodes span the same as a slope, times everything else.
+  const bool smooth = spec.kernel != LatticeKernel::smooth && std::max({nodes(0), nodes(1), nodes(2)}) <= 2;
+  plan.polynomial = spec.fit == FitMethod::gauss || smooth || nodes(0) * nodes(1) * nodes(2) == 1;
+  if (plan.polynomial) {
+    for (int x = 0; x < nodes(0); ++x)
+      for (int y = 0; y < nodes(1); ++y)
+        for (int z = 0; z < nodes(2); ++z) {
+          watch(x, y, z);
+          for (int a = 0; a < 3; ++a)
+            if (axes[a].kind == AxisModel::Kind::gradient) watch(x + (a == 0), y + (a == 1), z + (a == 2));
+        }
+    return;
+  }
+  // Piecewise functions: what they reproduce of linear light is enough to see the pull of least squares.
+  watch(0, 0, 0);
+  for (int a = 0; a < 3; ++a)
+    if (axes[a].kind != AxisModel::Kind::constant && spec.kernel != LatticeKernel::smooth)
+      watch(a == 0, a == 1, a == 2);
+}
+
+void SamplePlanner::probe(Vec3 p, SamplePlan& samples) noexcept {
+  RigBasis basis;
+  rig_.basis(p, basis);
+  const SparseOperator& op = rig_.model_->op;
+  std::array<float, kMax> weight{};
+  for (int j = 0; j < basis.count; ++j) {
+    const int k = basis.index[j];
+    for (int e = op.rowStart[k]; e < op.rowStart[k + 1]; ++e) weight[op.column[e]] += basis.value[j] * op.weight[e];
+  }
+  double sum = 0;
+  for (int s = 0; s < samples.samples; ++s) {
+    const float size = std::abs(weight[s]);
+    sum += static_cast<double>(size);
+    samples.sample[s].weight = std::max(samples.sample[s].weight, size);
+  }
+  lebesgue_ = std::max(lebesgue_, sum);
+
+  Values rest;
+  valuesAt({p.x, p.y, p.z}, rest);
+  for (int t = 0; t < watched_; ++t) rest[t] = -rest[t];
+  for (int i = 0; i < samples.samples; ++i)
+    for (int t = 0; t < watched_; ++t) rest[t] += weight[i] * atSample_[i][t];
+  for (int t = 0; t < watched_; ++t) defect_[t] = std::max(defect_[t], std::abs(rest[t]));
+}
+
+void SamplePlanner::valuesAt(const std::array<float, 3>& p, Values& out) const noexcept {
+  std::array<std::array<float, SamplePlan::kMaxDegree + 1>, 3> chebyshev;
+  for (int a = 0; a < 3; ++a) {
+    const auto u = static_cast<float>((static_cast<double>(p[a]) - centre_[a]) * inverseHalf_[a]);
+    chebyshev[a][0] = 1;
+    chebyshev[a][1] = u;
+    for (int m = 2; m <= SamplePlan::kMaxDegree; ++m)
+      chebyshev[a][m] = 2 * u * chebyshev[a][m - 1] - chebyshev[a][m - 2];
+  }
+  for (int t = 0; t < watched_; ++t) {
+    const Degrees& m = watch_[t];
+    out[t] = chebyshev[0][m[0]] * chebyshev[1][m[1]] * chebyshev[2][m[2]];
+  }
+}
+
+void SamplePlanner::probeAll(SamplePlan& samples) noexcept {
+  const RigBox& box = rig_.box();
+  if (rig_.anchors().empty()) {
+    // Serves the box.
+    for (int i = 0; i < 27; ++i) {
+      const Vec3 t{static_cast<float>(i % 3) / 2, static_cast<float>(i / 3 % 3) / 2, static_cast<float>(i / 9) / 2};
+      probe({box.lo.x + t.x * (box.hi.x - box.lo.x), box.lo.y + t.y * (box.hi.y - box.lo.y),
+             box.lo.z + t.z * (box.hi.z - box.lo.z)},
+            samples);
+    }
+    return;
+  }
+  for (const RigSample& sample : rig_.samples()) probe(sample.position, samples);
+  for (int i = 0; i < samples.probes; ++i)
+    probe({samples.probe[i][0], samples.probe[i][1], samples.probe[i][2]}, samples);
+}
+
+void SamplePlanner::placeProbes(SamplePlan& samples) const noexcept {
+  const SurfaceProbes& from = rig_.model_->probes;
+  const RigBox& box = rig_.box();
+  const Vec3 half = box.hi * 0.5f - box.lo * 0.5f;
+  float stretch = 1;
+  for (int a = 0; a < 3; ++a)
+    if (from.half[a] > 0) stretch = std::max(stretch, half[a] / from.half[a]);
+  samples.cover = from.cover * stretch;
+  for (const SurfaceProbes::Probe& p : from.probes) {
+    if (samples.probes == SamplePlan::kMaxProbes) break;
+    const SamplePlan::Sample& at = samples.sample[p.anchor];
+    const std::array<float, 3> anchor{at.x, at.y, at.z};
+    std::array<float, 3>& out = samples.probe[samples.probes++];
+    for (int a = 0; a < 3; ++a) out[a] = std::clamp(anchor[a] + p.offset[a] * half[a], box.lo[a], box.hi[a]);
+  }
+}
+
+void SamplePlanner::listBoundary(SamplePlan& samples) const noexcept {
+  // A staircase that covers every product not watched: all of higher degree in z than column (i, j) holds, and so on.
+  const auto add = [&](int i, int j, int k) {
+    if (samples.terms == SamplePlan::kMaxTerms) return;
+    const Degrees m{static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(j), static_cast<std::uint8_t>(k)};
+    samples.term[samples.terms++] = {m, static_cast<float>(1 + lebesgue_) * mixing(m), false};
+  };
+  int i = 0;
+  for (; watches(i, 0, 0); ++i) {
+    int j = 0;
+    for (; watches(i, j, 0); ++j) {
+      int k = 0;
+      while (watches(i, j, k)) ++k;
+      add(i, j, k);
+    }
+    add(i, j, 0);
+  }
+  add(i, 0, 0);
+}
+
+bool SamplePlanner::plan(BoundPlan& plan, SamplePlan& samples) noexcept {
+  const std::span<const RigSample> from = rig_.samples();
+  if (from.size() > kMax) return false;
+  samples.samples = static_cast<int>(from.size());
+  for (std::size_t s = 0; s < from.size(); ++s) {
+    const Vec3 p = from[s].position;
+    samples.sample[s] = {p.x, p.y, p.z, from[s].footprint, 0};
+    samples.footprint = std::max(samples.footprint, from[s].footprint);
+  }
+  if (!rig_.anchors().empty()) placeProbes(samples);
+  readSpan(plan);
+  if (plan.polynomial) watchBeyond();
+  for (int i = 0; i < samples.samples; ++i) {
+    const SamplePlan::Sample& at = samples.sample[i];
+    valuesAt({at.x, at.y, at.z}, atSample_[i]);
+  }
+  probeAll(samples);
+  lebesgue_ *= kBetweenProbes;
+  plan.lebesgue = lebesgue_;
+  plan.offset = defect_[0] > 1e-4f ? static_cast<double>(defect_[0]) : 0.0;
+  if (plan.polynomial) listBoundary(samples);
+  for (int t = 0; t < watched_ && samples.terms < SamplePlan::kMaxTerms; ++t)
+    samples.term[samples.terms++] = {watch_[t], static_cast<float>(kBetweenProbes) * defect_[t] * mixing(watch_[t]),
+                                     true};
+  return true;
+}
+
+}  // namespace rigel

@@ -1,0 +1,41 @@
+// What the bounds need of rigs whose samples are anywhere: poly, @lsq and @gauss.
+#pragma once
+
+#include <rigel/light_bound.h>
+
+namespace rigel {
+
+/// Reads the operator and the basis of a rig in its current pose.
+class SamplePlanner {
+ public:
+  explicit SamplePlanner(const Rig& rig) noexcept;
+
+  /// Fills `samples`, and in `plan` what concerns them. False where the rig has more samples than the plan holds.
+  bool plan(detail::BoundPlan& plan, detail::SamplePlan& samples) noexcept;
+
+ private:
+  static constexpr int kMax = detail::SamplePlan::kMaxSamples;
+  static constexpr int kMaxWatched = 96;
+  using Degrees = std::array<std::uint8_t, 3>;
+  using Values = std::array<float, kMaxWatched>;
+
+  void readSpan(detail::BoundPlan& plan) noexcept;
+  void watch(int i, int j, int k) noexcept;
+  bool watches(int i, int j, int k) const noexcept;
+  void watchBeyond() noexcept;
+  void valuesAt(const std::array<float, 3>& p, Values& out) const noexcept;
+  void probe(Vec3 p, detail::SamplePlan& samples) noexcept;
+  void probeAll(detail::SamplePlan& samples) noexcept;
+  void placeProbes(detail::SamplePlan& samples) const noexcept;
+  void listBoundary(detail::SamplePlan& samples) const noexcept;
+
+  const Rig& rig_;
+  std::array<double, 3> centre_{}, inverseHalf_{};
+  int watched_ = 0;                         // products of Chebyshev polynomials whose error is measured
+  std::array<Degrees, kMaxWatched> watch_;  // their degrees: first those of the span, then some beyond
+  Values defect_{};                         // largest error of the rig about each
+  std::array<Values, kMax> atSample_;
+  double lebesgue_ = 1;
+};
+
+}  // namespace rigel
