@@ -17,6 +17,8 @@ constexpr int kCandidates = 40;          // lights that are looked at one by one
 constexpr float kSpatialMargin = 1.55f;  // see rigs/README.md
 constexpr float kTotalMargin = 1.1f, kTotalSpatialMargin = 1.4f;
 
+// Square of the height over the patch radius that a light of no size is taken to pass a patch at, when it is close.
+constexpr float kLeastHeight = 0.0025f;
 // Two dozen points miss part of an error that is largest in small places; measured over tools/study's inputs.
 constexpr float kFewPoints = 1.25f;
 
@@ -189,7 +191,7 @@ struct ObjectLighting<B>::State {
       const float r = std::max(light.radius, kMinPointRadius);
       const float x = std::clamp((d / rho - 1) / 2, 0.0f, 1.0f);
       const float apart = x * x * (3 - 2 * x);
-      const float h2 = std::max(std::lerp(r * d, d * d, apart), r * r);
+      const float h2 = std::max(std::lerp(std::max(r * d, kLeastHeight * rho * rho), d * d, apart), r * r);
       const float reach = std::max({d, rho, r});
       const float ratio = reach * reach / h2 * (reach * reach / (h2 + rho * rho)) - 1;
       if (!(ratio > 0)) continue;
