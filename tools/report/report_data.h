@@ -25,6 +25,7 @@ struct RigFrame {
   double totalRms = 0;
   std::optional<double> estimate;       // of spatialRms, by the rig itself, which does not know the truth
   std::optional<double> totalEstimate;  // of totalRms
+  std::optional<double> jump;           // largest change of the error since the frame before; see RigReport::maxJump
   int shVectors = 0;
   double modelledNanoseconds = 0;  // a shaded point, by the cost model
   std::vector<int> near;           // lights with a weight above 0, as indices into RigReport::lights

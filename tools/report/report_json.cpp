@@ -142,6 +142,7 @@ class Writer {
                    {"spatial_rms", number(report.spatialRms, "spatial_rms")},
                    {"total_rms", number(report.totalRms, "total_rms")},
                    {"estimate", numberOrNull(report.estimate, "frame estimate")},
+                   {"jump", numberOrNull(report.jump, "frame jump")},
                    {"sh_vectors", report.shVectors},
                    {"near", std::move(near)}};
     if (report.totalEstimate) result["total_estimate"] = number(*report.totalEstimate, "frame total_estimate");

@@ -81,7 +81,7 @@ void RigTally::compare(Frame& frame, std::span<const RigRunner::Shaded> shaded, 
       if (followsOn) jump = std::max(jump, static_cast<double>(std::abs(error_[i][c] - previousError_[i][c])));
     }
   }
-  if (followsOn) maxJump_ = std::max(maxJump_.value_or(0), jump);
+  if (followsOn) frame.jump = jump;
 }
 
 double RigTally::totalError(std::size_t frame) const { return std::sqrt(frames_[frame].totalSquares); }
@@ -120,6 +120,10 @@ void RigTally::addFrames(RigReport& out, const TallyContext& context) const {
     frame.totalRms = scale * std::sqrt(from.totalSquares / channels);
     frame.estimate = asDouble(from.estimate);
     frame.totalEstimate = asDouble(from.totalEstimate);
+    if (from.jump) {
+      frame.jump = scale * *from.jump;
+      out.maxJump = std::max(out.maxJump.value_or(0), *frame.jump);
+    }
     frame.shVectors = from.shVectors;
     frame.modelledNanoseconds = static_cast<double>(from.modelledNanoseconds);
     frame.near = from.near;
@@ -136,7 +140,6 @@ void RigTally::addFrames(RigReport& out, const TallyContext& context) const {
   out.total = {scale * std::sqrt(total), scale * totalMax_};
   out.estimate = pooled(out.frames, &RigFrame::estimate);
   out.totalEstimate = pooled(out.frames, &RigFrame::totalEstimate);
-  if (maxJump_) out.maxJump = scale * *maxJump_;
 }
 
 RigReport RigTally::report(const RigRunner& rig, const TallyContext& context) const {

@@ -34,6 +34,7 @@ class RigTally {
   struct Frame {
     double spatialSquares = 0, totalSquares = 0;  // summed over samples and channels [W/m2]^2
     std::optional<float> estimate, totalEstimate;
+    std::optional<double> jump;
     int shVectors = 0;
     float modelledNanoseconds = 0;
     bool highBand = false;
@@ -50,7 +51,6 @@ class RigTally {
   std::vector<FitTimes> fitTimes_;
   std::vector<double> shadeTimes_;  // us, all samples
   double spatialMax_ = 0, totalMax_ = 0, condition_ = 1;
-  std::optional<double> maxJump_;
   std::size_t bytes_ = 0, samples_ = 0;
   std::vector<Rgb> spatialError_;           // rig - SH at each point
   std::vector<Rgb> error_, previousError_;  // clamped rig + near lights - exact
