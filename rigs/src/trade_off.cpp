@@ -43,13 +43,12 @@ float squares(std::span<const float> values) noexcept {
   return sum;
 }
 
-/// Prediction error over residual for a fit of `used` functions to `points` points: generalised cross-validation.
+}  // namespace
+
 float inflation(float points, float used) noexcept {
   const float ratio = points / std::max(points - used, 0.25f * points);
   return ratio * ratio;
 }
-
-}  // namespace
 
 void LightRows::resize(int lightCount) {
   lights = lightCount;
@@ -100,7 +99,7 @@ void TradeOff::farError(const LightRows& rows, std::span<const float> damping, s
   if (rows.truncatedRows > 0) {
     const int perRow = rows.truncated / rows.truncatedRows;
     float mean = 0;
-    for (int i = 0; i < perRow; ++i) {
+    for (int i = rows.highFirst; i < rows.highFirst + rows.highCount; ++i) {
       float value = 0;
       for (int s = 0; s < rows.truncatedRows; ++s) value += out.truncated[s * perRow + i];
       mean += value * value / static_cast<float>(rows.truncatedRows);

@@ -10,6 +10,10 @@
 
 namespace rigel {
 
+/// Prediction error over residual, mean squares, of a fit of `used` functions to `points` points: generalised
+/// cross-validation (P. Craven, G. Wahba, "Smoothing noisy data with spline functions", 1979).
+float inflation(float points, float used) noexcept;
+
 /// What each light adds to the error of the object's rig, as rows that sum from light to light. Block `lights` is what
 /// stays in the rig whatever is chosen. All rows are in sample space, scaled so that a sum of squares, each float times
 /// its `weight`, is a mean-square irradiance [W/m2]^2 over the surface, the sphere of normals and the channels.
@@ -18,15 +22,16 @@ struct LightRows {
   int nested = 0;     // leading rows: coefficients of nested functions (`auto` rigs)
   int residuals = 0;  // rows beyond them
   int width = 0;
-  int truncated = 0;              // floats of `truncation` a block
-  int truncatedRows = 0;          // points they are taken at, of equal share
-  std::vector<float> fields;      // (lights + 1) x (nested + residuals) x width
-  std::vector<float> truncation;  // (lights + 1) x truncated: what the SH bands leave out
-  std::vector<float> weight;      // width: squared factor from SH to irradiance
-  std::vector<float> excess;      // per block, [W/m2]^2: of a light so close that it varies between the rows' points
-  std::vector<float> fade;        // per light: 0 for one that is about to leave the candidates, 1 for all others
-  float tail = 1;                 // all truncated energy over that of `truncation`
-  float inflation = 1;            // fixed rigs: mean-square error at other points over that at the rows' points
+  int truncated = 0;                 // floats of `truncation` a block
+  int truncatedRows = 0;             // points they are taken at, of equal share
+  int highFirst = 0, highCount = 0;  // floats of a truncated row that the high band can carry
+  std::vector<float> fields;         // (lights + 1) x (nested + residuals) x width
+  std::vector<float> truncation;     // (lights + 1) x truncated: what the SH bands leave out
+  std::vector<float> weight;         // width: squared factor from SH to irradiance
+  std::vector<float> excess;         // per block, [W/m2]^2: of a light so close that it varies between the rows' points
+  std::vector<float> fade;           // per light: 0 for one that is about to leave the candidates, 1 for all others
+  float tail = 1;                    // all truncated energy over that of `truncation`
+  float inflation = 1;               // fixed rigs: mean-square error at other points over that at the rows' points
 
   int rows() const noexcept { return nested + residuals; }
   std::size_t block() const noexcept { return static_cast<std::size_t>(rows()) * width; }
@@ -49,9 +54,9 @@ class TradeOff {
     LightingTarget::Kind kind = LightingTarget::Kind::spatialError;
     float value = 0;          // error [W/m2], or nanoseconds a point
     float spatialMargin = 1;  // estimated spatial errors are kept below what the target leaves them by this factor
-    int slots = 0;          // near lights at most
-    int vectors = 0;        // of a fixed rig; 0: nested
-    bool highBand = false;  // available
+    int slots = 0;            // near lights at most
+    int vectors = 0;          // of a fixed rig; 0: nested
+    bool highBand = false;    // available
     CostModel cost;
   };
   struct Choice {

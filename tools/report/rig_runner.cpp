@@ -72,11 +72,11 @@ class RunnerOf final : public RigRunner {
 
   double shade(std::span<const PointAndNormal> points, std::span<const float> wrap, std::span<Shaded> out) override {
     const auto start = std::chrono::steady_clock::now();
-    std::array<float, B> f = wrapCoefficients<B>(0);
-    float fWrap = 0;
+    MaterialWrap<B> material;
+    float materialWrap = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
-      if (wrap[i] != fWrap) f = wrapCoefficients<B>(fWrap = wrap[i]);
-      const auto parts = lighting_.shade(points[i].position, points[i].normal, f, wrap[i]);
+      if (wrap[i] != materialWrap) material = MaterialWrap<B>(materialWrap = wrap[i]);
+      const auto parts = lighting_.shade(points[i].position, points[i].normal, material);
       out[i] = {parts.rig, parts.near};
     }
     return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();

@@ -171,13 +171,14 @@ class Study final : public StudyVisitor {
   struct Squares {
     double spatial = 0, total = 0;
   };
-  Squares measure(const StudyFrame& f, const Lit& lit) const {
+  Squares measure(const StudyFrame& f, const Lit& lit) {
     Squares out;
     const auto verdicts = lit.lighting.verdicts();
     const std::size_t row = f.row();
     for (std::size_t p = 0; p < f.points.size(); ++p) {
       const float wrap = f.surface->wrap[p];
-      const auto parts = lit.lighting.shade(f.points[p].position, f.points[p].normal, wrapCoefficients<3>(wrap), wrap);
+      if (wrap != wrap_) material_ = MaterialWrap<3>(wrap_ = wrap);
+      const auto parts = lit.lighting.shade(f.points[p].position, f.points[p].normal, material_);
       for (int c = 0; c < 3; ++c) {
         double sh = 0, exact = 0;
         for (std::size_t i = 0; i < verdicts.size(); ++i) {
@@ -239,6 +240,8 @@ class Study final : public StudyVisitor {
             ++fixedHits[target.label()][{v, n, high}];
   }
 
+  float wrap_ = 0;
+  MaterialWrap<3> material_;
   std::string name_;
   double mean_ = 0;
   bool first_ = true;

@@ -31,10 +31,10 @@ struct LightingTarget {
 /// Modelled time [ns] of shading one point, so that choices depend on no clock. The defaults are those of `shade` on
 /// one CPU core (`rigel bench --filter shade`, `--filter near`); a GPU's ratios are the caller's to measure.
 struct CostModel {
-  float base = 44;       // a rig at all: the normal's SH basis and the convolution
-  float vector = 2;      // each SH vector of the rig
-  float nearLight = 26;  // each near light
-  float nearWrap = 56;   // the same on materials with wrap
+  float base = 42;       // a rig at all: the normal's SH basis and the convolution
+  float vector = 1.8f;   // each SH vector of the rig
+  float nearLight = 21;  // each near light
+  float nearWrap = 34;   // the same on materials with wrap
   float highBand = 15;   // the constant high band
 };
 
@@ -64,11 +64,29 @@ struct LightVerdict {
   float share = 0;   // of the object's mean irradiance (estimated at the rig's samples); all lights sum to 1
 };
 
+/// The part of the light beyond the rig's bands that is the same everywhere on the object: one band of radiance SH
+/// (2 band + 1 colours), or none (band 0).
+struct HighBand {
+  int band = 0;
+  std::array<Rgb, 2 * kMaxBands - 1> c{};
+};
+
 /// Parts of a frame's work, for whoever times them.
 enum class LightingStage : std::uint8_t { bound, choose, project, fit, estimate };
 struct LightingProbe {
   void (*done)(void* context, LightingStage stage) = nullptr;  // called as each ends
   void* context = nullptr;
+};
+
+/// What shading needs to know of a material's wrap reflectance; made once a material.
+template <int B>
+struct MaterialWrap {
+  std::array<float, B> bands;  // f_l
+  std::array<float, kMaxBands> allBands;
+  NearWrap near;
+
+  explicit MaterialWrap(float wrap = 0) noexcept
+      : bands(wrapCoefficients<B>(wrap)), allBands(wrapCoefficients<kMaxBands>(wrap)), near(nearWrap(wrap)) {}
 };
 
 template <int B>
@@ -93,6 +111,14 @@ class ObjectLighting {
   /// to frame (empty: by index). Allocates only while lights grow in number.
   void light(const LightSet& lights, float seconds, std::span<const std::uint32_t> ids = {}, LightingProbe probe = {});
 
+  /// `light` in two steps, for who spreads a frame's time over many objects (light_budget.h). `weigh` finds what every
+  /// choice would cost; `costAt` says what [ns a point] an error target costs, and `settle` takes it in place of
+  /// options().target.value. Needs a target of kind spatialError or totalError.
+  void weigh(const LightSet& lights, LightingProbe probe = {});
+  float costAt(float target) const;
+  void settle(const LightSet& lights, float target, float seconds, std::span<const std::uint32_t> ids = {},
+              LightingProbe probe = {});
+
   /// SH vectors in use: of an `auto` rig as many as the frame needs, in nested order.
   std::span<const RadianceSH<B>> coefficients() const noexcept;
   std::span<const NearLight> nearLights() const noexcept;
@@ -103,18 +129,13 @@ class ObjectLighting {
   std::optional<float> totalEstimate() const noexcept;
   float modelledNanoseconds() const noexcept;  // per point, by the cost model
 
-  /// The part of the light beyond the rig's bands that is the same everywhere on the object: one band, or none (0).
-  struct HighBand {
-    int band = 0;
-    std::array<Rgb, 2 * kMaxBands - 1> c{};
-  };
   const HighBand& highBand() const noexcept;
 
   /// Rig and near lights at a world point with unit normal; the rig's part is not clamped.
   struct Parts {
     Rgb rig, near;
   };
-  Parts shade(Vec3 p, Vec3 n, const std::array<float, B>& wrapCoefficients, float wrap) const noexcept;
+  Parts shade(Vec3 p, Vec3 n, const MaterialWrap<B>& wrap) const noexcept;
 
  private:
   struct State;

@@ -1,0 +1,188 @@
+#include "surface_check.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "anchors.h"
+
+namespace rigel {
+namespace {
+
+constexpr std::size_t kPoints = 24;
+constexpr std::size_t kTruncationEvery = 3;  // the high bands vary less over an object, and cost more to project
+// Square of the height over the patch radius that a light of no size is taken to pass a patch at, when it is close.
+constexpr float kLeastHeight = 0.0025f;
+
+/// Lambert has nothing in band 3; on materials that wrap, band 3 is the larger.
+int highBandOf(float wrap) noexcept { return wrap > 0 ? 3 : 4; }
+
+}  // namespace
+
+template <int B>
+SurfaceCheck<B>::SurfaceCheck(const Rig& rig, const RigShape& rest, float wrap)
+    : functionals_(rig.projections()), coefficients_(rig.shVectors()) {
+  own_ = rig.spec().adaptive || rig.anchors().size() >= kPoints;
+  if (own_) {
+    for (const RigSample& sample : rig.samples()) points_.push_back({{}, sample.share, sample.footprint});
+  } else {
+    Anchors chosen = chooseAnchors(rest.surface, kPoints);
+    for (std::size_t i = 0; i < chosen.index.size(); ++i) points_.push_back({{}, chosen.share[i], chosen.radius[i]});
+    extraAnchors_ = std::move(chosen.index);
+  }
+  for (const Point& point : points_) shares_.push_back(point.share);
+  if (rig.spec().adaptive) nested_.emplace(static_cast<int>(points_.size()), rig.shVectors());
+  values_.resize(points_.size() * kWidth);
+
+  rows.nested = nested_ ? nested_->functions() : 0;
+  rows.residuals = static_cast<int>(points_.size());
+  rows.width = kWidth;
+  if (own_ && !nested_)
+    rows.inflation = inflation(static_cast<float>(points_.size()), static_cast<float>(rig.shVectors()));
+  setUpScales(wrap);
+}
+
+/// Factors from SH coefficients to RMS irradiance: E(n) = pi sum f_l L_lm Y_lm(n) has the mean square
+/// sum (pi f_l L_lm)^2 / 4pi over normals.
+template <int B>
+void SurfaceCheck<B>::setUpScales(float wrap) {
+  const std::array<float, kMaxBands> f = wrapCoefficients<kMaxBands>(wrap);
+  const auto squared = [&](int l) { return kPi * static_cast<double>(f[l]) * static_cast<double>(f[l]) / 4 / 3; };
+  constexpr double kY00 = 0.28209479177387814;
+  meanPerL00_ = static_cast<float>(kPi * kY00 / 3) * f[0];
+  rows.weight.resize(kWidth);
+  for (int l = 0; l < B; ++l)
+    for (int i = 3 * shCount(l); i < 3 * shCount(l + 1); ++i) rows.weight[i] = static_cast<float>(squared(l));
+
+  rows.truncatedRows = static_cast<int>((points_.size() + kTruncationEvery - 1) / kTruncationEvery);
+  rows.truncated = rows.truncatedRows * kTruncatedWidth;
+  truncationScale_.resize(kTruncatedWidth);
+  // Energy of a distant light's kernel, int f^2 dx = (1+a)/(3+2a) = sum (2l+1) f_l^2 / 8: what of it is in the bands
+  // that are projected, and all that the rig's bands leave out.
+  const auto energy = [&](int l) { return (2 * l + 1) * static_cast<double>(f[l]) * static_cast<double>(f[l]) / 8; };
+  double projected = 0;
+  for (int l = kFirstTruncated; l < kMaxBands; ++l) {
+    projected += energy(l);
+    for (int i = 3 * shCount(l); i < 3 * shCount(l + 1); ++i)
+      truncationScale_[i - 3 * shCount(kFirstTruncated)] =
+          static_cast<float>(std::sqrt(squared(l) / rows.truncatedRows));
+  }
+  const int band = highBandOf(wrap);
+  if (band >= B) {
+    rows.highFirst = 3 * (shCount(band) - shCount(kFirstTruncated));
+    rows.highCount = 3 * (2 * band + 1);
+  }
+  const double a = static_cast<double>(clampWrap(wrap));
+  double lost = (1 + a) / (3 + 2 * a);
+  for (int l = 0; l < B; ++l) lost -= energy(l);
+  rows.tail = projected > 1e-9 ? static_cast<float>(std::max(0.0, lost) / projected) : 0;
+}
+
+template <int B>
+void SurfaceCheck<B>::setPose(const Rig& rig, std::span<const Vec3> anchors, const RigFrame& worldFromRig) noexcept {
+  frame_ = worldFromRig;
+  const auto posed = anchors.last(points_.size());
+  for (std::size_t i = 0; i < points_.size(); ++i) points_[i].position = frame_.point(posed[i]);
+  if (!nested_) return;
+  RigBasis phi;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const auto row = nested_->row(static_cast<int>(i));
+    rig.basis(posed[i], phi);
+    std::ranges::fill(row, 0.0);
+    for (int j = 0; j < phi.count; ++j) row[phi.index[j]] = static_cast<double>(phi.value[j]);
+  }
+  nested_->factor(shares_);
+}
+
+template <int B>
+float SurfaceCheck<B>::describe(const LightSet& lights, Rig& rig, int index) {
+  float* block = rows.fields.data() + static_cast<std::size_t>(index) * rows.block();
+  float* residuals = block + static_cast<std::size_t>(rows.nested) * kWidth;
+  float mean = 0;
+  for (std::size_t s = 0; s < points_.size(); ++s) {
+    const RadianceSH<B> sh = project<B>(lights, points_[s].position, points_[s].footprint);
+    mean += points_[s].share * (sh[0].r + sh[0].g + sh[0].b);
+    const float root = std::sqrt(points_[s].share);
+    for (int i = 0; i < kWidth; ++i) values_[s * kWidth + i] = root * sh.data()[i];
+  }
+  if (nested_) {
+    nested_->analyse(values_.data(), kWidth, block, residuals);
+  } else {
+    subtractRig(lights, rig, residuals);
+  }
+
+  float* truncated = rows.truncation.data() + static_cast<std::size_t>(index) * rows.truncated;
+  for (std::size_t s = 0; s < points_.size(); s += kTruncationEvery) {
+    const RadianceSH<kMaxBands> sh = project<kMaxBands>(lights, points_[s].position, points_[s].footprint);
+    const float* from = sh.data() + 3 * shCount(kFirstTruncated);
+    for (int i = 0; i < kTruncatedWidth; ++i) *truncated++ = truncationScale_[i] * from[i];
+  }
+  rows.excess[index] = 0;
+  for (int i = 0; i < lights.size(); ++i)
+    rows.excess[index] += lights.visit(i, [&](const auto& light) { return excessOf(light); });
+  return mean * meanPerL00_;
+}
+
+template <int B>
+void SurfaceCheck<B>::subtractRig(const LightSet& lights, Rig& rig, float* residuals) {
+  projectSamples<B>(rig, frame_, lights, functionals_);
+  fitRig<B>(rig, functionals_, coefficients_);
+  for (std::size_t s = 0; s < points_.size(); ++s) {
+    const RadianceSH<B> sh = evaluateRig<B>(rig, coefficients_, frame_.inversePoint(points_[s].position));
+    const float root = std::sqrt(points_[s].share);
+    for (int i = 0; i < kWidth; ++i) residuals[s * kWidth + i] = values_[s * kWidth + i] - root * sh.data()[i];
+  }
+}
+
+/// What a light so close that the points are too coarse for it adds to the mean-square error. A patch of radius rho
+/// that a light of radius r passes at height h receives a mean square of 1/(h^2 (h^2 + rho^2)) on the light's own
+/// scale; its point, d away, knows 1/max(d, rho)^4. How close the surface comes within the patch is not known: h^2 = r
+/// d, between touching and as far as the point.
+template <int B>
+template <class Light>
+float SurfaceCheck<B>::excessOf(const Light& light) const noexcept {
+  if constexpr (std::is_same_v<Light, DirectionalLight>) {
+    return 0;
+  } else {
+    float sum = 0;
+    for (const Point& point : points_) {
+      const float rho = point.footprint;
+      const float d = length(light.position - point.position);
+      if (!(d < 3 * rho)) continue;
+      const float r = std::max(light.radius, kMinPointRadius);
+      const float x = std::clamp((d / rho - 1) / 2, 0.0f, 1.0f);
+      const float apart = x * x * (3 - 2 * x);
+      const float h2 = std::max(std::lerp(std::max(r * d, kLeastHeight * rho * rho), d * d, apart), r * r);
+      const float reach = std::max({d, rho, r});
+      const float ratio = reach * reach / h2 * (reach * reach / (h2 + rho * rho)) - 1;
+      if (!(ratio > 0)) continue;
+      const RadianceSH<B> sh = project<B>(light, point.position, rho);
+      float square = 0;
+      for (int i = 0; i < kWidth; ++i) square += rows.weight[i] * sh.data()[i] * sh.data()[i];
+      sum += point.share * square * ratio;
+    }
+    return sum;
+  }
+}
+
+template <int B>
+void SurfaceCheck<B>::highBand(std::span<const float> truncated, float weight, HighBand& out) const noexcept {
+  out = {};
+  if (!(weight > 0) || rows.highCount == 0) return;
+  out.band = rows.highCount / 6;
+  const int first = rows.highFirst;
+  for (int s = 0; s < rows.truncatedRows; ++s) {
+    const float* t = truncated.data() + static_cast<std::size_t>(s) * kTruncatedWidth + first;
+    for (int i = 0; i < 2 * out.band + 1; ++i)
+      for (int c = 0; c < 3; ++c) {
+        const float scale = truncationScale_[first + 3 * i + c] * static_cast<float>(rows.truncatedRows);
+        if (scale > 0) out.c[i][c] += weight * t[3 * i + c] / scale;
+      }
+  }
+}
+
+template class SurfaceCheck<2>;
+template class SurfaceCheck<3>;
+template class SurfaceCheck<4>;
+template class SurfaceCheck<5>;
+
+}  // namespace rigel
