@@ -160,7 +160,17 @@ class Bound {
     const double peak = field_.peak(std::max(lit, near_));
     const double cap = std::min(span, peak + bound.cap);
     const double plain = std::min(bound.error, cap);
-    return std::min(m.most * plain + (m.most - m.least) * cap, m.most * cap);
+    if (!(m.least < 1)) return plain;
+    return std::min(m.most * plain + std::min((m.most - m.least) * cap, linearVariation(m)), m.most * cap);
+  }
+
+  /// The same as smoothVariation for rigs that span linear functions: Taylor's remainder at the centre of the box.
+  double linearVariation(const ModulationBound& m) const noexcept {
+    if (!plan_.linear || !(served_.box > field_.radius())) return kInfinite;
+    const double curvature = 2 * m.slope * field_.slopes(served_.box).first + m.curvature * field_.peak(served_.box);
+    double square = 0;
+    for (const BoundPlan::Axis& axis : plan_.axis) square += axis.half * axis.half;
+    return (1 + plan_.lebesgue) * square / 2 * curvature;
   }
 
   const BoundPlan& plan_;

@@ -23,6 +23,7 @@ Region regionOf(const Triple& towards, const Triple& half, double radius, double
   region.centre = lengthOf(towards);
   region.box = std::max(0.0, lengthOf(region.beyond) - rounding);
   region.near = std::max(region.box, region.centre - radius - rounding);
+  region.rounding = rounding;
   region.far = std::min(lengthOf(span), region.centre + radius) + rounding;
   return region;
 }
@@ -111,7 +112,8 @@ double litDistance(const Region& region, const Triple& axis, double cosOuter) no
   for (int a = 0; a < 3; ++a) {
     if (!(region.beyond[a] > 0)) continue;
     const double steepest = cosineOfLess(cosineAlong(region, axis, a), cosOuter);
-    distance = std::max(distance, steepest > 0 ? region.beyond[a] / steepest : std::numeric_limits<double>::infinity());
+    const double least = std::max(0.0, region.beyond[a] - region.rounding);
+    distance = std::max(distance, steepest > 0 ? least / steepest : std::numeric_limits<double>::infinity());
   }
   return distance;
 }

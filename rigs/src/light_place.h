@@ -17,6 +17,7 @@ struct Region {
   double box = 0;     // to the box, or less,
   double near = 0;    // to the nearest point, or less,
   double far = 0;     // to the farthest, or more
+  double rounding = 0;
 };
 
 struct LightPlace {

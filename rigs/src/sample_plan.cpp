@@ -115,7 +115,13 @@ void SamplePlanner::probe(Vec3 p, SamplePlan& samples) noexcept {
   std::array<float, kMax> weight{};
   for (int j = 0; j < basis.count; ++j) {
     const int k = basis.index[j];
-    for (int e = op.rowStart[k]; e < op.rowStart[k + 1]; ++e) weight[op.column[e]] += basis.value[j] * op.weight[e];
+    const int start = op.rowStart[k];
+    const int entries = op.rowStart[k + 1] - start;
+    if (entries == samples.samples) {  // a full row, in order of its columns
+      for (int e = 0; e < entries; ++e) weight[e] += basis.value[j] * op.weight[start + e];
+    } else {
+      for (int e = start; e < start + entries; ++e) weight[op.column[e]] += basis.value[j] * op.weight[e];
+    }
   }
   double sum = 0;
   for (int s = 0; s < samples.samples; ++s) {
@@ -213,6 +219,7 @@ bool SamplePlanner::plan(BoundPlan& plan, SamplePlan& samples) noexcept {
   }
   if (!rig_.anchors().empty()) placeProbes(samples);
   readSpan(plan);
+  plan.linear = watches(1, 0, 0) && watches(0, 1, 0) && watches(0, 0, 1);
   if (plan.polynomial) watchBeyond();
   for (int i = 0; i < samples.samples; ++i) {
     const SamplePlan::Sample& at = samples.sample[i];

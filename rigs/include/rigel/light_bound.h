@@ -74,6 +74,7 @@ struct BoundPlan {
   double offset = 0;        // error of constant light
   bool numeric = false;     // slopes are secants
   bool constant = false;    // no slope, no lattice: one value
+  bool linear = false;      // kind samples: spans linear functions
   bool polynomial = false;  // kind samples: spans polynomials; else what `axis` says
 };
 

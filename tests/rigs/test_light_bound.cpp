@@ -1,0 +1,283 @@
+// Bounds against the truth found by search: never below it, and how far above. RIGEL_FULL=1: 10^5 lights per rig and
+// light kind. Each rig prints its table: bound / true over the lights that reach the object.
+#include "bound_truth.h"
+#include "lights/random.h"
+#include "random_lights.h"
+#include "rig_fixture.h"
+
+#include <rigel/light_bound.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <limits>
+
+namespace rigel::test {
+namespace {
+
+constexpr Vec3 kCentre{0.3f, -0.2f, 0.1f};
+
+/// Cube, car, human, dragon, flat [m].
+const std::vector<Vec3> kBoxes = {
+    {0.5f, 0.5f, 0.5f}, {2.25f, 0.75f, 0.9f}, {0.3f, 0.9f, 0.2f}, {4, 0.5f, 0.5f}, {1, 0.01f, 0.7f}};
+const std::vector<Vec3> kBalls = {{0.5f, 0.5f, 0.5f}, {2, 2, 2}};
+
+struct Case {
+  std::string spec;
+  Domain::Kind domain;
+  double medianSphere, medianPoint, medianSpot;  // largest allowed
+};
+
+// Measured medians with RIGEL_FULL=1 are in rigs/README.md.
+const std::vector<Case> kCases = {
+    {"constant", Domain::Kind::ball, 1.2, 1.2, 1.2},
+    {"gradient", Domain::Kind::ball, 1.2, 1.2, 1.7},
+    {"gradient@numeric", Domain::Kind::ball, 5, 5, 8},
+    {"constant", Domain::Kind::box, 1.2, 1.2, 1.7},
+    {"gradient", Domain::Kind::box, 1.5, 1.5, 2.5},
+    {"gradient@numeric", Domain::Kind::box, 5, 5, 8},
+    {"lattice:2x2x2", Domain::Kind::box, 3, 3, 3},
+    {"lattice:3x2x2", Domain::Kind::box, 3, 3, 3},
+    {"lattice:8x4x2", Domain::Kind::box, 3, 3, 3},
+    {"lattice:3x2x2:smooth", Domain::Kind::box, 3, 3, 3},
+    {"lattice:4x3x2:cubic", Domain::Kind::box, 3, 3, 5},
+    {"mixed:l3,g,c", Domain::Kind::box, 8, 8, 8},
+    {"mixed:g,g,c", Domain::Kind::box, 8, 8, 8},
+    {"mixed:xyz:c,l4,g", Domain::Kind::box, 8, 8, 8},
+    {"mixed:l3,g,c@numeric", Domain::Kind::box, 8, 8, 8},
+    {"poly:1", Domain::Kind::ellipsoid, 5, 5, 8},
+    {"poly:4", Domain::Kind::ellipsoid, 10, 10, 15},
+    {"poly:6", Domain::Kind::ellipsoid, 10, 10, 15},
+    {"poly:12", Domain::Kind::ellipsoid, 20, 20, 30},
+    {"poly:20", Domain::Kind::ellipsoid, 30, 35, 50},
+    {"constant@lsq", Domain::Kind::ellipsoid, 5, 5, 8},
+    {"gradient@lsq", Domain::Kind::ellipsoid, 10, 10, 15},
+    {"lattice:3x2x2@lsq", Domain::Kind::ellipsoid, 25, 25, 35},
+    {"mixed:l3,g,c@lsq", Domain::Kind::ellipsoid, 10, 10, 15},
+    {"lattice:3x2x2@gauss", Domain::Kind::box, 30, 30, 50},
+    {"mixed:l3,g,c@gauss", Domain::Kind::box, 30, 30, 50},
+};
+
+struct Ratios {
+  std::vector<double> ratio;
+  int dark = 0;  // lights of which neither the rig nor the truth holds anything
+  double at(double quantile) {
+    std::ranges::sort(ratio);
+    return ratio.empty() ? 0 : ratio[static_cast<std::size_t>(quantile * static_cast<double>(ratio.size() - 1))];
+  }
+};
+
+class LightBound : public testing::TestWithParam<Case> {
+ protected:
+  /// Bound / true of `count` lights made by `next`, over all shapes.
+  template <class Next>
+  Ratios measure(int count, Next next) {
+    const Case& c = GetParam();
+    const std::vector<Vec3>& shapes = c.domain == Domain::Kind::ball ? kBalls : kBoxes;
+    Ratios out;
+    unsigned seed = 0;
+    for (const Vec3 half : shapes) {
+      const std::vector<Vec3> surface = ellipsoid(kCentre, half, 600);
+      const RigBox box{kCentre - half, kCentre + half};
+      auto rig = Rig::create(specOf(c.spec), {box, surface});
+      const float radius = c.domain == Domain::Kind::ball ? half.x : kNoRange;
+      const std::array bounds{LightBounds(*rig, {}, 0, radius), LightBounds(*rig, {}, 0.5f, radius),
+                              LightBounds(*rig, {}, -0.25f, radius)};
+      const std::array wraps{0.0f, 0.5f, -0.25f};
+      RandomLights lights(box, 11 + ++seed, c.domain == Domain::Kind::ellipsoid);
+      for (int i = 0; i < count / static_cast<int>(shapes.size()); ++i) {
+        const int w = i % 8 == 1 ? 1 : i % 8 == 2 ? 2 : 0;
+        const auto light = next(lights);
+        const rigel::LightBound bound = bounds[w](light);
+        const double truth = trueError(*rig, light, light.position, Domain{box, c.domain}, wraps[w], ++seed);
+        EXPECT_TRUE(std::isfinite(bound.error) && bound.error >= 0);
+        EXPECT_LE(truth, bound.error) << "light at " << light.position.x << ' ' << light.position.y << ' '
+                                      << light.position.z << " radius " << light.radius << " wrap " << wraps[w];
+        if (bound.peak == 0) {
+          EXPECT_EQ(truth, 0);
+        }
+        if (truth > std::numeric_limits<float>::min()) {
+          out.ratio.push_back(bound.error / truth);
+        } else {
+          ++out.dark;
+        }
+      }
+    }
+    EXPECT_GT(out.ratio.size(), static_cast<std::size_t>(count / 2));
+    return out;
+  }
+
+  void print(const char* kind, Ratios& r) {
+    const char* domain = GetParam().domain == Domain::Kind::ball  ? "ball"
+                         : GetParam().domain == Domain::Kind::box ? "box"
+                                                                  : "ellipsoid";
+    std::printf("%-22s %-9s %-6s %7zu lights %6d dark  min %.4f  median %.2f  90%% %.1f  max %.2g\n",
+                GetParam().spec.c_str(), domain, kind, r.ratio.size(), r.dark, r.at(0), r.at(0.5), r.at(0.9), r.at(1));
+  }
+};
+
+TEST_P(LightBound, IsNeverBelowTheTruth) {
+  const int count = fullRun() ? 110000 : 2000;
+  Ratios sphere = measure(count, [](RandomLights& lights) { return lights.sphere(); });
+  print("sphere", sphere);
+  EXPECT_LT(sphere.at(0.5), GetParam().medianSphere);
+  Ratios point = measure(count, [](RandomLights& lights) { return lights.point(); });
+  print("point", point);
+  EXPECT_LT(point.at(0.5), GetParam().medianPoint);
+  Ratios spot = measure(count, [](RandomLights& lights) { return lights.spot(); });
+  print("spot", spot);
+  EXPECT_LT(spot.at(0.5), GetParam().medianSpot);
+}
+
+std::string nameOf(const testing::TestParamInfo<Case>& info) {
+  std::string name = info.param.spec + (info.param.domain == Domain::Kind::ball ? "_ball" : "");
+  std::ranges::replace_if(
+      name, [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Rigs, LightBound, testing::ValuesIn(kCases), nameOf);
+
+const RigBox kBox{{-1, -0.5f, -0.4f}, {1, 0.5f, 0.4f}};
+Rig boxRig(const std::string& spec) {
+  const std::vector<Vec3> surface = ellipsoid({}, kBox.hi, 600);
+  return *Rig::create(specOf(spec), {kBox, surface});
+}
+
+TEST(LightBoundCases, DirectionalLightsCostNoError) {
+  for (const std::string& spec : everyKindOfSpec()) {
+    const Rig rig = boxRig(spec);
+    const LightBounds bounds(rig, {});
+    EXPECT_EQ(bounds(DirectionalLight{{0, -1, 0}, {1, 1, 1}}).error, 0) << spec;
+    EXPECT_NEAR(bounds(DirectionalLight{{0, -1, 0}, {1, 1, 1}}).peak, 1.0625, 1e-6);
+    EXPECT_EQ(bounds(DirectionalLight{{0, 0, 0}, {1, 1, 1}}).peak, 0);
+  }
+}
+
+TEST(LightBoundCases, WhatGivesNothingIsZero) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const float infinite = std::numeric_limits<float>::infinity();
+  for (const std::string& spec : everyKindOfSpec()) {
+    const Rig rig = boxRig(spec);
+    const LightBounds bounds(rig, {});
+    const auto zero = [&](auto light) {
+      const rigel::LightBound bound = bounds(light);
+      return bound.error == 0 && bound.peak == 0;
+    };
+    EXPECT_TRUE(zero(SphereLight{{0, 3, 0}, 0, {1, 1, 1}})) << spec;
+    EXPECT_TRUE(zero(SphereLight{{0, nan, 0}, 1, {1, 1, 1}})) << spec;
+    EXPECT_TRUE(zero(SphereLight{{0, 3, 0}, nan, {1, 1, 1}})) << spec;
+    EXPECT_TRUE(zero(SphereLight{{0, infinite, 0}, 1, {1, 1, 1}})) << spec;
+    EXPECT_TRUE(zero(PointLight{{0, 3, 0}, {1, 1, 1}, 0.01f, 2.4f})) << spec;
+    EXPECT_TRUE(zero(PointLight{{0, 3, 0}, {1, 1, 1}, 0.01f, -1})) << spec;
+    EXPECT_TRUE(zero(PointLight{{0, 3, 0}, {1, 1, 1}, nan})) << spec;
+    EXPECT_TRUE(zero(SpotLight{{0, 3, 0}, {0, 1, 0}, {1, 1, 1}, 0.2f, 0.5f})) << spec;
+    EXPECT_TRUE(zero(SpotLight{{0, 3, 0}, {1, 0, 0}, {1, 1, 1}, 0.2f, 0.7f})) << spec;
+    EXPECT_TRUE(zero(SpotLight{{0, 3, 0}, {0, 0, 0}, {1, 1, 1}, 0.2f, 0.5f})) << spec;
+    EXPECT_TRUE(zero(SpotLight{{0, 3, 0}, {0, -1, 0}, {1, 1, 1}, nan, 0.5f})) << spec;
+    EXPECT_FALSE(zero(SpotLight{{0, 3, 0}, {0, -1, 0}, {1, 1, 1}, 0.2f, 0.5f})) << spec;
+    EXPECT_FALSE(zero(PointLight{{0, 3, 0}, {1, 1, 1}, 0.01f, 2.6f})) << spec;
+  }
+}
+
+TEST(LightBoundCases, SpotThatLightsAllOfTheObjectIsAPoint) {
+  for (const std::string& spec : everyKindOfSpec()) {
+    const Rig rig = boxRig(spec);
+    const LightBounds bounds(rig, {});
+    const rigel::LightBound spot = bounds(SpotLight{{0, 4, 0}, {0, -1, 0}, {1, 1, 1}, 0.5f, 0.6f});
+    const rigel::LightBound point = bounds(PointLight{{0, 4, 0}, {1, 1, 1}});
+    EXPECT_FLOAT_EQ(spot.error, point.error) << spec;
+    EXPECT_FLOAT_EQ(spot.peak, point.peak) << spec;
+  }
+}
+
+TEST(LightBoundCases, IsFiniteForAnyFiniteLight) {
+  Random random(5);
+  for (const std::string& spec : everyKindOfSpec()) {
+    const Rig rig = boxRig(spec);
+    const LightBounds bounds(rig, {});
+    for (int i = 0; i < 2000; ++i) {
+      const auto scale = static_cast<float>(random.logUniform(1e-30, 1e30));
+      const Vec3 p = random.direction() * scale;
+      const auto radius = static_cast<float>(random.logUniform(1e-30, 1e18));
+      const auto range = static_cast<float>(random.logUniform(1e-20, 1e30));
+      for (const rigel::LightBound b :
+           {bounds(SphereLight{p, radius, {1, 1, 1}}), bounds(PointLight{p, {1, 1, 1}, radius, range}),
+            bounds(SpotLight{p, random.direction(), {1, 1, 1}, 0.1f, 0.1f, radius, range})}) {
+        ASSERT_TRUE(std::isfinite(b.error) && std::isfinite(b.peak)) << spec;
+        ASSERT_GE(b.error, 0);
+        ASSERT_GE(b.peak, 0);
+      }
+    }
+  }
+}
+
+/// The largest step of the error along a path, halved again and again, relative to the largest error: what is left is a
+/// jump.
+template <class MakeLight>
+double largestJump(const LightBounds& bounds, MakeLight make) {
+  constexpr int kSteps = 5000;
+  const auto error = [&](double t) { return double{bounds(make(static_cast<float>(t))).error}; };
+  double largest = 0, step = 0, at = 0;
+  for (int i = 0; i < kSteps; ++i) {
+    const double t = static_cast<double>(i) / kSteps;
+    const double change = std::abs(error(t + 1.0 / kSteps) - error(t));
+    largest = std::max(largest, error(t));
+    if (change > step) step = change, at = t;
+  }
+  double from = at, to = at + 1.0 / kSteps;
+  while (to - from > 2e-7) {
+    const double middle = (from + to) / 2;
+    if (std::abs(error(middle) - error(from)) > std::abs(error(to) - error(middle))) {
+      to = middle;
+    } else {
+      from = middle;
+    }
+  }
+  return largest > 0 ? std::abs(error(to) - error(from)) / largest : 0;
+}
+
+TEST(LightBoundCases, IsContinuousInTheLight) {
+  // Next to a light's surface the bound varies as a square root: 2e-7 of the path is 1e-3 of it.
+  constexpr double kSquareRoot = 3e-3;
+  for (const std::string spec : {"constant", "gradient", "gradient@numeric", "lattice:3x2x2", "mixed:l3,g,c", "poly:6",
+                                 "lattice:3x2x2@lsq", "lattice:3x2x2@gauss"}) {
+    const Rig rig = boxRig(spec);
+    const LightBounds bounds(rig, {});
+    const auto path = [](float t) { return Vec3{-3 + 6 * t, 0.2f + 0.5f * t, 0.1f - 0.6f * t}; };
+    const auto check = [&](const char* name, auto make) {
+      EXPECT_LT(largestJump(bounds, make), kSquareRoot) << spec << ' ' << name;
+    };
+    check("sphere through the box", [&](float t) { return SphereLight{path(t), 0.3f, {1, 1, 1}}; });
+    check("growing sphere", [&](float t) { return SphereLight{{1.5f, 1, 0.3f}, 3 * t, {1, 1, 1}}; });
+    check("point with window", [&](float t) { return PointLight{path(t), {1, 1, 1}, 0.2f, 1.5f}; });
+    check("spot through the box", [&](float t) {
+      return SpotLight{path(t), {0.3f, -1, 0.2f}, {1, 1, 1}, 0.3f, 0.6f, 0.2f};
+    });
+    check("turning spot", [&](float t) {
+      return SpotLight{{0.5f, 2, 0.7f}, {std::sin(6 * t), -std::cos(6 * t), 0.2f}, {1, 1, 1}, 0.3f, 0.5f, 0.1f};
+    });
+  }
+}
+
+TEST(LightBoundCases, FollowsTheFrame) {
+  const float co = std::cos(0.7f), si = std::sin(0.7f);
+  const RigFrame turned{{co, 0, -si}, {0, 1, 0}, {si, 0, co}, {5, -2, 3}};
+  for (const std::string& spec : everyKindOfSpec()) {
+    const Rig rig = boxRig(spec);
+    const LightBounds here(rig, {});
+    const LightBounds there(rig, turned);
+    RandomLights lights(kBox, 3);
+    for (int i = 0; i < 50; ++i) {
+      const SpotLight light = lights.spot();
+      SpotLight moved = light;
+      moved.position = turned.point(light.position);
+      moved.direction = turned.vector(light.direction);
+      const double distance = length(light.position);
+      if (distance < 3) continue;  // beside the object's very surface, float positions move by more than 1e-3
+      EXPECT_NEAR(there(moved).error, here(light).error, 1e-3 * std::abs(here(light).error)) << spec;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace rigel::test
