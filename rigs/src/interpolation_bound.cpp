@@ -46,11 +46,11 @@ double boxError(const BoundPlan& plan, const Roughness& roughness) noexcept {
 }
 
 double ballError(const BoundPlan& plan, const Region& served, const LightField& field, double cap) noexcept {
-  const double b = plan.radius;
+  const double b = plan.radius + served.rounding;
   const double d = served.centre;
   const double r = field.radius();
   const double clearance = d - r;
-  if (!(b > 0)) return 0;
+  if (!(plan.radius > 0)) return 0;
   if (!(clearance > 0)) return cap;
   const double near = std::max(d - b, r);
   const double depth = d - near;

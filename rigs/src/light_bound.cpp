@@ -142,7 +142,7 @@ class Bound {
     if (plan_.kind != BoundPlan::Kind::ball || plan_.numeric) return kInfinite;
     const double off = std::max(m.most - n.least, n.most - m.least);
     if (plan_.constant) return m.most * plain + nodePeak_ * off;
-    const double b = plan_.radius;
+    const double b = plan_.radius + served_.rounding;
     const double remainder = std::min(b * b / 2 * m.curvature, off + b * n.slope);
     const double start = served_.centre - b;
     const double change = start > field_.radius() ? field_.change(start, served_.centre) : kInfinite;

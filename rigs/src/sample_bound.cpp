@@ -32,14 +32,14 @@ double convergence(double x, double half, double across2, double radius) noexcep
   return s > 1 ? 1 / (s + std::sqrt(s * s - 1)) : 1.0;
 }
 
-Strengths strengths(double t) noexcept {
+Strengths strengths(double t, int degree) noexcept {
   Strengths out;
   const double onePlus = 1 / (1 + t);
   const double a = 2 * onePlus * onePlus;
   const double b = a * (1 + t * t) * onePlus;
   double power = 1;
   out[0] = 1;
-  for (int m = 1; m < kDegrees; ++m) {
+  for (int m = 1; m <= degree; ++m) {
     power *= t;
     out[m] = static_cast<float>(power * (a * (m * (1 - t) + t) + b));
   }
@@ -89,9 +89,11 @@ SampleBound sampleBound(const BoundPlan& plan, const SamplePlan& samples, const 
       across2 += beyond * beyond;
     }
     const double half = plan.axis[a].half;
-    strength[a] = strengths(half > 0 ? convergence(std::abs(light[a] - plan.centre[a]), half, across2, radius) : 0.0);
-    single[a] = strength[a];
-    for (int m = 1; m + 1 < kDegrees; ++m) single[a][m] -= strength[a][m + 1];
+    const double t = half > 0 ? convergence(std::abs(light[a] - plan.centre[a]), half, across2, radius) : 0.0;
+    strength[a] = strengths(t, samples.degree);
+    single[a][0] = 1;
+    for (int m = 1; m < samples.degree; ++m) single[a][m] = strength[a][m] - strength[a][m + 1];
+    single[a][samples.degree] = strength[a][samples.degree];
   }
   float sum = 0;
   for (int i = 0; i < samples.terms; ++i) {

@@ -12,7 +12,7 @@ using detail::BoundPlan;
 using detail::SamplePlan;
 
 // Between the points probed, weights can be a little larger.
-constexpr double kBetweenProbes = 1.1;
+constexpr double kBetweenProbes = 1.2;
 
 // Degrees beyond the span whose error is measured; of the rest only the sum of the weights is known.
 constexpr int kLayers = 2;
@@ -145,8 +145,7 @@ void SamplePlanner::valuesAt(const std::array<float, 3>& p, Values& out) const n
     const auto u = static_cast<float>((static_cast<double>(p[a]) - centre_[a]) * inverseHalf_[a]);
     chebyshev[a][0] = 1;
     chebyshev[a][1] = u;
-    for (int m = 2; m <= SamplePlan::kMaxDegree; ++m)
-      chebyshev[a][m] = 2 * u * chebyshev[a][m - 1] - chebyshev[a][m - 2];
+    for (int m = 2; m <= degree_; ++m) chebyshev[a][m] = 2 * u * chebyshev[a][m - 1] - chebyshev[a][m - 2];
   }
   for (int t = 0; t < watched_; ++t) {
     const Degrees& m = watch_[t];
@@ -167,8 +166,22 @@ void SamplePlanner::probeAll(SamplePlan& samples) noexcept {
     return;
   }
   for (const RigSample& sample : rig_.samples()) probe(sample.position, samples);
-  for (int i = 0; i < samples.probes; ++i)
-    probe({samples.probe[i][0], samples.probe[i][1], samples.probe[i][2]}, samples);
+  // The first probes are the farthest of each patch; few anchors can afford all.
+  constexpr int kAffordable = 24;
+  for (int i = 0; i < std::min(samples.probes, std::max(samples.samples, kAffordable)); ++i) {
+    const auto& [x, y, z] = samples.probe[i];
+    probe({x, y, z}, samples);
+  }
+  // The surface touches every face of the box, and along an axis that the rig knows nothing of the error is largest
+  // there.
+  for (int a = 0; a < 3; ++a) {
+    if (spanned_[a]) continue;
+    for (const float face : {box.lo[a], box.hi[a]}) {
+      Vec3 p{static_cast<float>(centre_[0]), static_cast<float>(centre_[1]), static_cast<float>(centre_[2])};
+      p[a] = face;
+      probe(p, samples);
+    }
+  }
 }
 
 void SamplePlanner::placeProbes(SamplePlan& samples) const noexcept {
@@ -219,8 +232,11 @@ bool SamplePlanner::plan(BoundPlan& plan, SamplePlan& samples) noexcept {
   }
   if (!rig_.anchors().empty()) placeProbes(samples);
   readSpan(plan);
-  plan.linear = watches(1, 0, 0) && watches(0, 1, 0) && watches(0, 0, 1);
+  spanned_ = {watches(1, 0, 0), watches(0, 1, 0), watches(0, 0, 1)};
+  plan.linear = spanned_[0] && spanned_[1] && spanned_[2];
   if (plan.polynomial) watchBeyond();
+  for (int t = 0; t < watched_; ++t) degree_ = std::max<int>(degree_, std::ranges::max(watch_[t]));
+  samples.degree = std::min(degree_ + 1, SamplePlan::kMaxDegree);
   for (int i = 0; i < samples.samples; ++i) {
     const SamplePlan::Sample& at = samples.sample[i];
     valuesAt({at.x, at.y, at.z}, atSample_[i]);

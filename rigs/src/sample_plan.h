@@ -33,9 +33,11 @@ class SamplePlanner {
   std::array<double, 3> centre_{}, inverseHalf_{};
   int watched_ = 0;                         // products of Chebyshev polynomials whose error is measured
   std::array<Degrees, kMaxWatched> watch_;  // their degrees: first those of the span, then some beyond
+  int degree_ = 1;                          // largest of them
   Values defect_{};                         // largest error of the rig about each
   std::array<Values, kMax> atSample_;
   double lebesgue_ = 1;
+  std::array<bool, 3> spanned_{};  // the functions x, y, z
 };
 
 }  // namespace rigel

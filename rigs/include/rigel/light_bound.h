@@ -49,6 +49,7 @@ struct SamplePlan {
   int terms = 0;
   std::array<Sample, kMaxSamples> sample;
   std::array<Term, kMaxTerms> term;
+  int degree = 0;  // largest of the terms
   int probes = 0;
   std::array<std::array<float, 3>, kMaxProbes> probe;  // more points of the surface
   float cover = -1;     // m; no point served is farther from the nearest sample or probe; negative: the box is served
