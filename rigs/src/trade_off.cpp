@@ -12,6 +12,7 @@ constexpr int kReferenceTerms = 6;  // a light's error is judged against a rig o
 constexpr int kMaxLevels = 48;
 constexpr float kLevelStep = 0.5f;  // log2
 // A coefficient counts fully where the error without it is 1.3 times the target, not at all below 0.7 times.
+constexpr float kActivation = 0.1f;
 constexpr float kFadeFrom = 0.7f, kFadeWidth = 0.6f;
 // A light is far where its error is at most the level's, near where it is 1 + kWindow times that.
 constexpr float kWindow = 0.5f;
@@ -26,8 +27,9 @@ float smoothstep(float x) noexcept {
   return x * x * (3 - 2 * x);
 }
 
-/// 1 for anything that is evaluated at all, but continuous at 0.
-float active(float weight) noexcept { return std::min(1.0f, 20 * weight); }
+/// What is evaluated at all costs in full, however little it weighs. Counted from just before its weight rises (at `x`
+/// = 0) so that the count is continuous and never too low.
+float active(float x) noexcept { return std::clamp(1 + x / kActivation, 0.0f, 1.0f); }
 
 float energy(std::span<const float> rows, std::span<const float> weight) noexcept {
   float sum = 0;
@@ -137,9 +139,10 @@ void TradeOff::build(const LightRows& rows, std::span<const float> damping, int 
     level.truncation = scratch_.truncation;
     level.truncationHigh = scratch_.truncationHigh;
     level.nearLights = 0;
+    const float threshold = std::max(std::exp2(level.log2), floor_);
     bool more = false;
     for (int i = 0; i < rows.lights; ++i) {
-      level.nearLights += active(weights_[i]);
+      if (threshold > 0 || error_[i] > 0) level.nearLights += threshold > 0 ? active(error_[i] / threshold - 1) : 1;
       more = more || (weights_[i] < 1 && error_[i] > 2 * floor_);
     }
     if (!more) break;
@@ -197,8 +200,7 @@ TradeOff::Choice TradeOff::choose(const Request& request) const {
     float missed = total ? std::sqrt(truncation) / request.value - 1 : 0;
     float vectors = static_cast<float>(request.vectors);
     if (request.vectors == 0) {
-      for (std::size_t j = 0; j < most; ++j)
-        vectors += active(smoothstep((std::sqrt(level.beyond[j]) / option.spatial - kFadeFrom) / kFadeWidth));
+      for (std::size_t j = 0; j < most; ++j) vectors += active(std::sqrt(level.beyond[j]) / option.spatial - kFadeFrom);
     }
     missed = std::max(missed, std::sqrt(level.beyond[most]) / option.spatial - 1);
     option.nanoseconds = nanoseconds(request.cost, vectors, level.nearLights, high ? 1 : 0);
