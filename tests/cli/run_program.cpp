@@ -10,8 +10,6 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -22,13 +20,6 @@ std::string quoted(const std::string& argument) {
   std::string out = "'";
   for (char c : argument) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return out + "'";
-}
-
-std::string contentOf(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::stringstream content;
-  content << stream.rdbuf();
-  return content.str();
 }
 
 }  // namespace
@@ -72,23 +63,6 @@ Outcome RunningProgram::wait() {
   int status = 0;
   ::waitpid(std::exchange(id_, -1), &status, 0);
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contentOf(output_ / "out"), contentOf(output_ / "err")};
-}
-
-TemporaryFolder::TemporaryFolder() {
-  std::string pattern = (std::filesystem::temp_directory_path() / "rigel-test-XXXXXX").string();
-  if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("cannot make " + pattern);
-  path_ = pattern;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
-}
-
-void writeFile(const std::filesystem::path& file, const std::string& content) {
-  std::ofstream stream(file, std::ios::binary);
-  stream << content;
-  if (!stream) throw std::runtime_error("cannot write " + file.string());
 }
 
 }  // namespace rigel::test

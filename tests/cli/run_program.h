@@ -1,9 +1,10 @@
 // Runs the rigel program as a user's shell does.
 #pragma once
 
+#include "support/temporary_folder.h"
+
 #include <sys/types.h>
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -16,21 +17,6 @@ struct Outcome {
 
 /// Arguments are passed as they are (no shell); `input` is standard input.
 Outcome runProgram(const std::vector<std::string>& arguments, const std::string& input = "");
-
-/// A fresh folder, removed with all it holds at the end of the test.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// The program in the background, for signals. The destructor kills it.
 class RunningProgram {
@@ -49,7 +35,5 @@ class RunningProgram {
   TemporaryFolder output_;
   pid_t id_ = -1;
 };
-
-void writeFile(const std::filesystem::path& file, const std::string& content);
 
 }  // namespace rigel::test

@@ -105,7 +105,7 @@ TEST_F(OutputDirectory, PicturesGoBackWhenTheReportCannotBeWritten) {
   const std::string script = "d=" + out_ +
                              "; mkdir -p $d/.report.html.$$.new/x; exec " RIGEL_PROGRAM
                              " report sample:figure1 --rig 'constant;gradient' --quiet --out $d 2>" +
-                             (folder_ / "err");
+                             (folder_ / "err").string();
   const int status = std::system(script.c_str());
   EXPECT_EQ(WEXITSTATUS(status), 1);
   EXPECT_EQ(namesIn(out_ + "/images"), before);

@@ -1,6 +1,6 @@
 #include "picture/shade_exact.h"
 
-#include "picture/parallel.h"
+#include "parallel/parallel.h"
 #include "shapes.h"
 
 #include <rigel/exact.h>

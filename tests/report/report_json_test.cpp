@@ -35,14 +35,16 @@ TEST(ReportJson, HasTheNamesOfTheDesign) {
     ASSERT_EQ(object["rigs"].size(), 8u);
     for (const Json& rig : object["rigs"]) {
       EXPECT_THAT(keys(rig), testing::IsSupersetOf({"spec", "sh_vectors", "projections", "near_lights", "spatial",
-                                                    "total", "fit_us", "shade_ns_per_point", "bytes", "max_jump", "estimate",
-                                                    "stages", "frames", "lights"}));
+                                                    "total", "fit_us", "shade_ns_per_point", "bytes", "max_jump",
+                                                    "estimate", "stages", "frames", "lights"}));
       EXPECT_THAT(keys(rig["spatial"]), testing::ElementsAre("rms", "max"));
       EXPECT_THAT(keys(rig["total"]), testing::ElementsAre("rms", "max"));
       ASSERT_FALSE(rig["frames"].empty());
       for (const Json& frame : rig["frames"])
-        EXPECT_THAT(keys(frame), testing::IsSupersetOf({"time", "spatial_rms", "total_rms", "estimate", "sh_vectors", "near"}));
-      for (const Json& light : rig["lights"]) EXPECT_THAT(keys(light), testing::IsSupersetOf({"name", "type", "bound", "share", "near_frames", "blend_frames",
+        EXPECT_THAT(keys(frame),
+                    testing::IsSupersetOf({"time", "spatial_rms", "total_rms", "estimate", "sh_vectors", "near"}));
+      for (const Json& light : rig["lights"])
+        EXPECT_THAT(keys(light), testing::IsSupersetOf({"name", "type", "bound", "share", "near_frames", "blend_frames",
                                                         "far_frames", "culled_frames", "why"}));
     }
   }

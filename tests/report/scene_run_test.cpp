@@ -3,11 +3,11 @@
 
 #include "scene/gltf_load.h"
 #include "scene/gltf_save.h"
+#include "support/temporary_folder.h"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <filesystem>
 
 namespace rigel::tests {
 namespace {
@@ -30,24 +30,15 @@ Result<Report> run(const RunOptions& options) {
 
 const ObjectReport& firstObject(const Result<Report>& report) { return report->scenes.at(0).objects.at(0); }
 
-/// A scene of this name in a folder of the test's own, gone with the guard.
+/// A scene as a file, gone with the guard.
 struct SavedScene {
-  std::filesystem::path folder;
-  std::string file;
+  test::TemporaryFolder folder;
+  const std::string file = folder / "scene.glb";
 
-  SavedScene(const Scene& scene, const char* name)
-      : folder(std::filesystem::path(testing::TempDir()) / (std::string("rigel_scene_run_") + name)) {
-    std::filesystem::create_directories(folder);
-    file = (folder / "scene.glb").string();
+  explicit SavedScene(const Scene& scene) {
     const auto saved = saveGltf(scene, file);
     EXPECT_TRUE(saved) << (saved ? "" : saved.error().line());
   }
-  ~SavedScene() {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder, ignored);
-  }
-  SavedScene(const SavedScene&) = delete;
-  SavedScene& operator=(const SavedScene&) = delete;
 };
 
 TEST(SceneRun, OnlyNeighbouringFramesMakeAJump) {
@@ -82,7 +73,7 @@ TEST(SceneRun, TheSeamOfALoopIsNoJump) {
     for (float& time : channel.times) time *= static_cast<float>(kCut / street->animations[0].duration);
   }
   street->animations[0].duration = kCut;
-  const SavedScene saved(*street, "seam");
+  const SavedScene saved(*street);
   RunOptions options = quick(saved.file, "0:13");
   options.lights = "sample:stage";
   const auto report = run(options);
@@ -114,7 +105,7 @@ TEST(SceneRun, NotesSayWhatTheOptionsLeaveOut) {
   brief.name = "brief";
   for (Channel& channel : brief.channels)
     for (float& time : channel.times) time /= 100;
-  const SavedScene saved(*street, "brief");
+  const SavedScene saved(*street);
   options = quick(saved.file, "10:11");
   options.clip = "all";
   const auto report = run(options);
@@ -133,7 +124,7 @@ TEST(SceneRun, RefusesWhatNoRunCanServe) {
   auto street = loadScene("sample:street");
   ASSERT_TRUE(street);
   street->lights.at(0) = {"sun", DirectionalLight{{0, 0, -1}, {1e35f, 0, 0}}};
-  const SavedScene saved(*street, "sun");
+  const SavedScene saved(*street);
   options = quick(saved.file, "0");
   options.exposure = 1e4f;
   const auto sun = run(options);

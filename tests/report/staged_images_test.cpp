@@ -2,6 +2,7 @@
 #include "report/staged_images.h"
 
 #include "report/made_directory.h"
+#include "support/temporary_folder.h"
 
 #include <gmock/gmock.h>
 
@@ -27,13 +28,6 @@ void put(const fs::path& file, const std::string& text) {
 
 class Staged : public testing::Test {
  protected:
-  Staged() {
-    std::string pattern = (fs::temp_directory_path() / "rigel-staged-XXXXXX").string();
-    if (!mkdtemp(pattern.data())) throw std::runtime_error("cannot make " + pattern);
-    root_ = pattern;
-  }
-  ~Staged() override { fs::remove_all(root_); }
-
   /// A report that names `pictures`, which are there.
   void putEarlierReport(const std::vector<std::string>& pictures) {
     std::string list;
@@ -60,7 +54,8 @@ class Staged : public testing::Test {
     return *std::move(images);
   }
 
-  fs::path root_;
+  test::TemporaryFolder folder_;
+  const fs::path root_ = folder_.path();
 };
 
 TEST_F(Staged, TakesThePlaceOfEarlierPicturesOnly) {

@@ -1,26 +1,6 @@
 #include "scene_files.h"
 
-#include <unistd.h>
-#include <atomic>
-#include <fstream>
-
 namespace rigel::tools::test {
-
-TemporaryFolder::TemporaryFolder() {
-  static std::atomic<int> number{0};
-  path_ = std::filesystem::temp_directory_path() /
-          ("rigel_scene_test_" + std::to_string(getpid()) + "_" + std::to_string(number++));
-  std::filesystem::create_directories(path_);
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
-}
-
-void writeFile(const std::filesystem::path& file, const std::string& content) {
-  std::ofstream(file, std::ios::binary).write(content.data(), static_cast<std::streamsize>(content.size()));
-}
 
 // Bit by bit, unlike the encoder under test.
 std::string encodeBase64(const std::string& bytes) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/gltf_load.h"
+#include "support/temporary_folder.h"
 
 #include <nlohmann/json.hpp>
 
@@ -11,20 +12,8 @@
 
 namespace rigel::tools::test {
 
-/// A folder that goes with the test.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
+using rigel::test::TemporaryFolder;
+using rigel::test::writeFile;
 
 /// A glTF document whose arrays are added to one embedded buffer. `json` may be changed freely before `write`.
 class GltfMaker {
@@ -57,7 +46,6 @@ class GltfMaker {
 };
 
 std::string encodeBase64(const std::string& bytes);
-void writeFile(const std::filesystem::path& file, const std::string& content);
 
 /// A scene that uses everything the model can say: skin of 5+ influences, morphs, all interpolations, all lights.
 Scene everythingScene();

@@ -1,4 +1,4 @@
-#include "picture/parallel.h"
+#include "parallel/parallel.h"
 
 #include <algorithm>
 #include <atomic>

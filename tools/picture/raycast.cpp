@@ -1,6 +1,6 @@
 #include "picture/raycast.h"
 
-#include "picture/parallel.h"
+#include "parallel/parallel.h"
 
 #include <rigel/glm.h>
 #include <rigel/sh.h>

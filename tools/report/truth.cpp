@@ -1,6 +1,6 @@
 #include "report/truth.h"
 
-#include "picture/parallel.h"
+#include "parallel/parallel.h"
 
 #include <algorithm>
 
