@@ -29,6 +29,7 @@ class Rig::Model {
   virtual ~Model() = default;
 
   virtual void setPose(const RigPose& pose) noexcept = 0;
+  virtual void adapt(std::span<const float> /*light*/, int /*width*/) noexcept {}
   virtual void basis(Vec3 p, RigBasis& out) const noexcept = 0;
 
   RigSpec spec;

@@ -44,6 +44,9 @@ std::vector<Exponents> monomialOrder(std::span<const Vec3> surface, int terms) {
   return all;
 }
 
+// A falloff has ten coefficients of its own; fewer points than this do not tell them from the polynomial's.
+constexpr int kFalloffPoints = 24;
+
 /// The function 1 is the first monomial.
 std::vector<double> constantTerm(int terms) {
   std::vector<double> constant(terms, 0);
@@ -54,7 +57,8 @@ std::vector<double> constantTerm(int terms) {
 }  // namespace
 
 Rig::PolyModel::PolyModel(RigSpec s, const RigShape& rest)
-    : Model(std::move(s)), surfaceFit_(*this, rest.surface, constantTerm(spec.polyTerms)) {
+    : Model(std::move(s)),
+      surfaceFit_(*this, rest.surface, constantTerm(spec.polyTerms), spec.falloff ? kFalloffPoints : 0) {
   const std::vector<Exponents> order = monomialOrder(rest.surface, spec.polyTerms);
   terms_.push_back({0, 0});
   for (std::size_t k = 1; k < order.size(); ++k) {
@@ -65,18 +69,36 @@ Rig::PolyModel::PolyModel(RigSpec s, const RigShape& rest)
     const auto from = std::ranges::find(order, divisor) - order.begin();
     terms_.push_back({static_cast<std::int8_t>(from), static_cast<std::int8_t>(axis)});
   }
+  u_.resize(samples.size());
+  strength_.resize(samples.size());
+  q_.resize(samples.size());
 }
 
 void Rig::PolyModel::setPose(const RigPose& pose) noexcept {
   box_ = BoxCoordinates(pose.box);
+  falloff_.reset();
   surfaceFit_.setPose(*this, pose);
+}
+
+void Rig::PolyModel::adapt(std::span<const float> light, int width) noexcept {
+  if (!spec.falloff) return;
+  const std::size_t colours = static_cast<std::size_t>(std::min(width, 3));
+  for (std::size_t s = 0; s < samples.size(); ++s) {
+    u_[s] = box_(samples[s].position);
+    strength_[s] = 0;
+    for (float l : light.subspan(s * static_cast<std::size_t>(width), colours))
+      strength_[s] += std::abs(static_cast<double>(l));
+  }
+  falloff_.fit(u_, surfaceFit_.shares(), strength_);
+  for (std::size_t s = 0; s < samples.size(); ++s) q_[s] = falloff_(u_[s]);
+  surfaceFit_.rescale(*this, q_);
 }
 
 void Rig::PolyModel::basis(Vec3 p, RigBasis& out) const noexcept {
   const Vec3 u = box_(p);
   out.count = static_cast<int>(terms_.size());
   out.index[0] = 0;
-  out.value[0] = 1;
+  out.value[0] = spec.falloff ? 1 / falloff_(u) : 1;
   for (int k = 1; k < out.count; ++k) {
     out.index[k] = k;
     out.value[k] = out.value[terms_[k].from] * u[terms_[k].axis];

@@ -3,8 +3,12 @@
 // Monomials of the box coordinates u in [-1, 1]^3, ordered once in the rest pose by how much they vary over the
 // surface; the first K are kept, so a smaller K is a prefix. Every divisor of a kept monomial is kept too, so the
 // fitted function does not depend on where the box puts the origin or on its scale.
+//
+// invquad:K is 1/q(p) times such a polynomial, q a quadratic fitted to the light of each frame: the polynomial is then
+// fitted to q F with weights share/q^2, which counts the error of the product.
 #pragma once
 
+#include "falloff.h"
 #include "surface_fit.h"
 
 #include <cstdint>
@@ -16,6 +20,7 @@ class Rig::PolyModel final : public Rig::Model {
   PolyModel(RigSpec spec, const RigShape& rest);
 
   void setPose(const RigPose& pose) noexcept override;
+  void adapt(std::span<const float> light, int width) noexcept override;
   void basis(Vec3 p, RigBasis& out) const noexcept override;
 
  private:
@@ -28,6 +33,11 @@ class Rig::PolyModel final : public Rig::Model {
   std::vector<Term> terms_;  // [0] is the constant 1
   BoxCoordinates box_;
   SurfaceFit surfaceFit_;
+
+  Falloff falloff_;  // invquad only, as what follows: per anchor
+  std::vector<Vec3> u_;
+  std::vector<double> strength_;
+  std::vector<float> q_;
 };
 
 }  // namespace rigel

@@ -59,6 +59,11 @@ void Rig::setPose(const RigPose& pose) noexcept {
   model_->setPose(pose);
 }
 
+void Rig::adapt(std::span<const float> functionals, int width) noexcept {
+  assert(functionals.size() == static_cast<std::size_t>(projections()) * width);
+  model_->adapt(functionals, width);
+}
+
 void Rig::fit(std::span<const float> functionals, int width, std::span<float> coefficients) const noexcept {
   const SparseOperator& op = model_->op;
   assert(functionals.size() == static_cast<std::size_t>(projections()) * width);

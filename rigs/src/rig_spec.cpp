@@ -4,7 +4,7 @@
 //   lattice:= "lattice:" N "x" N "x" N [ ":" kernel ]
 //   mixed  := "mixed:" [ "xyz:" ] axis "," axis "," axis
 //   axis   := "c" | "g" | "l" N
-//   poly   := "poly:" K | "auto" [ ":" K ]
+//   poly   := "poly:" K | "invquad:" K | "auto" [ ":" K ]
 //   kernel := "linear" | "smooth" | "cubic"
 //   fit    := "corners" | "numeric" | "gauss" | "lsq"
 #include <rigel/rig_spec.h>
@@ -106,6 +106,10 @@ std::string parseModel(std::string_view text, RigSpec& spec) {
     return "";
   }
   if (consumePrefix(text, "poly:")) return parseTerms(text, spec);
+  if (consumePrefix(text, "invquad:")) {
+    spec.falloff = true;
+    return parseTerms(text, spec);
+  }
   if (consumePrefix(text, "auto:")) {
     spec.adaptive = true;
     return parseTerms(text, spec);
@@ -114,7 +118,8 @@ std::string parseModel(std::string_view text, RigSpec& spec) {
     spec.adaptive = true;
     return parseTerms(std::to_string(kAutoTerms), spec);
   }
-  return "unknown rig model (known: constant, gradient, lattice:AxBxC, mixed:m1,m2,m3, poly:K, auto, auto:K)";
+  return "unknown rig model (known: constant, gradient, lattice:AxBxC, mixed:m1,m2,m3, poly:K, invquad:K, auto, "
+         "auto:K)";
 }
 
 /// The part after '@'. Returns what is wrong, or "".
@@ -156,6 +161,8 @@ int RigSpec::shVectors() const noexcept {
 
 std::optional<Error> checkRigSpec(const RigSpec& spec) {
   const std::string place = "rig spec '" + spec.text + "'";
+  if (spec.falloff && (spec.family != RigSpec::Family::poly || spec.adaptive))
+    return Error{"only polynomial rigs, and not adaptive ones, have a falloff", place};
   if (spec.adaptive && spec.family != RigSpec::Family::poly) return Error{"only polynomial rigs are adaptive", place};
   if (spec.family == RigSpec::Family::poly) {
     if (spec.polyTerms < 1 || spec.polyTerms > kMaxPolyTerms)

@@ -10,8 +10,8 @@ namespace {
 constexpr int kPointsPerVector = 2;
 
 /// Fills the model's anchors; returns the share of the area that each stands for.
-std::vector<float> setUpAnchors(Rig::Model& model, std::span<const Vec3> surface, int vectors) {
-  Anchors chosen = chooseAnchors(surface, kPointsPerVector * vectors);
+std::vector<float> setUpAnchors(Rig::Model& model, std::span<const Vec3> surface, int vectors, int leastPoints) {
+  Anchors chosen = chooseAnchors(surface, std::max(leastPoints, kPointsPerVector * vectors));
   model.anchors = std::move(chosen.index);
   model.functionals = static_cast<int>(model.anchors.size());
   model.samples.resize(model.anchors.size());
@@ -30,8 +30,9 @@ std::vector<float> setUpAnchors(Rig::Model& model, std::span<const Vec3> surface
 
 }  // namespace
 
-SurfaceFit::SurfaceFit(Rig::Model& model, std::span<const Vec3> surface, std::vector<double> constant)
-    : shares_(setUpAnchors(model, surface, static_cast<int>(constant.size()))),
+SurfaceFit::SurfaceFit(Rig::Model& model, std::span<const Vec3> surface, std::vector<double> constant, int leastPoints)
+    : shares_(setUpAnchors(model, surface, static_cast<int>(constant.size()), leastPoints)),
+      weights_(shares_.size()),
       constant_(std::move(constant)),
       leastSquares_(model.functionals, static_cast<int>(constant_.size())) {}
 
@@ -45,6 +46,17 @@ void SurfaceFit::setPose(Rig::Model& model, const RigPose& pose) noexcept {
     for (int j = 0; j < phi.count; ++j) row[phi.index[j]] = static_cast<double>(phi.value[j]);
   }
   model.condition = leastSquares_.solve(shares_, constant_, model.op.weight);
+}
+
+void SurfaceFit::rescale(Rig::Model& model, std::span<const float> q) noexcept {
+  float sum = 0;
+  for (std::size_t s = 0; s < q.size(); ++s) sum += weights_[s] = shares_[s] / (q[s] * q[s]);
+  for (float& w : weights_) w /= sum;
+  // The condition stays that of the pose: it is about the anchors, not about the light.
+  leastSquares_.solve(weights_, constant_, model.op.weight);
+  const auto rows = model.op.weight.size() / q.size();
+  for (std::size_t k = 0; k < rows; ++k)
+    for (std::size_t s = 0; s < q.size(); ++s) model.op.weight[k * q.size() + s] *= q[s];
 }
 
 }  // namespace rigel

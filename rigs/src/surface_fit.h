@@ -10,14 +10,21 @@ class SurfaceFit {
  public:
   /// Chooses the anchors and sets up samples and (dense) operator of `model`, which has `constant.size()` SH vectors.
   /// `constant`: the coefficients of the function 1 in the model's basis. Two points a vector: as many points as
-  /// vectors leave the fit at the mercy of each single point.
-  SurfaceFit(Rig::Model& model, std::span<const Vec3> surface, std::vector<double> constant);
+  /// vectors leave the fit at the mercy of each single point. At least `leastPoints`.
+  SurfaceFit(Rig::Model& model, std::span<const Vec3> surface, std::vector<double> constant, int leastPoints = 0);
 
   /// Moves samples and operator to a pose; the model's basis must be that of the pose already.
   void setPose(Rig::Model& model, const RigPose& pose) noexcept;
 
+  /// Makes the operator that of basis functions divided by `q` (at each anchor, > 0), which is what the model's basis
+  /// is from now to the next pose.
+  void rescale(Rig::Model& model, std::span<const float> q) noexcept;
+
+  std::span<const float> shares() const noexcept { return shares_; }
+
  private:
-  std::vector<float> shares_;  // of the surface's area, per anchor
+  std::vector<float> shares_;   // of the surface's area, per anchor
+  std::vector<float> weights_;  // of rescale
   std::vector<double> constant_;
   LeastSquares leastSquares_;
 };

@@ -63,7 +63,10 @@ inline const std::vector<std::string>& everyKindOfSpec() {
                                                  "poly:6",
                                                  "poly:12",
                                                  "poly:20",
-                                                 "auto"};
+                                                 "auto",
+                                                 "invquad:1",
+                                                 "invquad:6",
+                                                 "invquad:12"};
   return specs;
 }
 
@@ -81,7 +84,7 @@ inline Rig rigOf(const std::string& text, const std::vector<Vec3>& surface) {
 
 /// Fits `rig` to a scalar field with its gradient and returns the fitted function.
 template <class Field, class Gradient>
-auto fitField(const Rig& rig, Field field, Gradient gradient) {
+auto fitField(Rig& rig, Field field, Gradient gradient) {
   std::vector<float> functionals;
   for (const RigSample& sample : rig.samples()) {
     functionals.push_back(field(sample.position));
@@ -89,6 +92,7 @@ auto fitField(const Rig& rig, Field field, Gradient gradient) {
       functionals.push_back(dot(gradient(sample.position), sample.directions[i]));
   }
   std::vector<float> coefficients(rig.shVectors());
+  rig.adapt(functionals, 1);
   rig.fit(functionals, 1, coefficients);
   return [&rig, coefficients](Vec3 p) {
     RigBasis phi;

@@ -91,6 +91,7 @@ TEST(RigAllocation, AFrameAllocatesNothing) {
       for (std::size_t i = 0; i < anchors.size(); ++i) anchors[i] = body[rig.anchors()[i]] + Vec3{t, 0, 0};
       rig.setPose({{{t - 2, -0.5f, -0.5f}, {t + 2, 0.5f, 0.5f}}, anchors});
       projectSamples<5>(rig, {}, lights, functionals);
+      adaptRig<5>(rig, functionals);
       fitRig<5>(rig, functionals, coefficients);
       (void)evaluateRig<5>(rig, coefficients, {t, 0, 0});
       if (frame > 0) counted += allocations - before;

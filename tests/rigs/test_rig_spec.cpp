@@ -12,7 +12,7 @@ TEST(RigSpec, CountsShVectors) {
       {"constant", 1},       {"gradient", 4},      {"gradient@numeric", 4}, {"lattice:3x2x2", 12},
       {"lattice:8x4x2", 64}, {"lattice:1x1x1", 1}, {"mixed:l3,g,c", 6},     {"mixed:xyz:c,c,l5", 5},
       {"mixed:l2,l3,g", 12}, {"mixed:l2,g,g", 6},  {"mixed:g,g,g", 4},      {"poly:12", 12},
-      {"auto", 12},          {"auto:20", 20}};
+      {"auto", 16},          {"invquad:6", 6},     {"auto:20", 20}};
   for (const auto& [text, vectors] : cases) EXPECT_EQ(specOf(text).shVectors(), vectors) << text;
 }
 
@@ -43,6 +43,8 @@ TEST(RigSpec, RefusesWithTheSpecAndTheCause) {
                                                                   {"poly:0", "not a number of terms"},
                                                                   {"poly:57", "not a number of terms"},
                                                                   {"poly:six", "'six' is not a number of terms"},
+                                                                  {"invquad", "unknown rig model"},
+                                                                  {"invquad:0", "not a number of terms"},
                                                                   {"auto:", "'' is not a number of terms"},
                                                                   {"auto:57", "not a number of terms"},
                                                                   {"auto6", "unknown rig model"},
@@ -69,7 +71,7 @@ TEST(RigSpec, AutoIsAnAdaptivePolynomial) {
   EXPECT_TRUE(spec.adaptive);
   EXPECT_FALSE(specOf("poly:9").adaptive);
   EXPECT_NE(spec, specOf("poly:9"));
-  EXPECT_EQ(specOf("auto"), specOf("auto:12"));
+  EXPECT_EQ(specOf("auto"), specOf("auto:16"));
 }
 
 TEST(RigSpec, ParsesLists) {
@@ -105,6 +107,10 @@ TEST(RigSpec, ChecksSpecsThatWereNotParsed) {
   spec = {};
   spec.adaptive = true;
   EXPECT_TRUE(checkRigSpec(spec)) << "a constant rig has nothing to adapt";
+  spec = {};
+  spec.falloff = true;
+  EXPECT_TRUE(checkRigSpec(spec)) << "a falloff times a constant is a polynomial rig's";
+  EXPECT_NE(specOf("invquad:6"), specOf("poly:6"));
 }
 
 }  // namespace

@@ -80,6 +80,12 @@ class Rig {
   /// Positions of the current pose.
   std::span<const RigSample> samples() const noexcept;
 
+  /// Makes the falloff of an `invquad` rig that of this light: P and phi_k change with it, and the rig is linear again
+  /// until the next call. setPose takes the falloff back to 1. For every other rig does nothing. `functionals` as in
+  /// `fit`; the first three of a row (L_00 in RGB) are what counts. Continuous in functionals and pose; allocates
+  /// nothing. Not thread safe, like setPose.
+  void adapt(std::span<const float> functionals, int width) noexcept;
+
   /// c = P F. `functionals` holds S rows of `width` floats (in the order of samples()), `coefficients` K such rows; the
   /// two must not overlap.
   void fit(std::span<const float> functionals, int width, std::span<float> coefficients) const noexcept;

@@ -49,6 +49,15 @@ void projectSamples(const Rig& rig, const RigFrame& worldFromRig, const LightSet
   }
 }
 
+/// Rig::adapt on typed vectors: for `invquad` rigs, between projectSamples and fitRig.
+template <int B>
+void adaptRig(Rig& rig, std::span<const RadianceSH<B>> functionals) noexcept {
+  constexpr int kWidth = 3 * shCount(B);
+  static_assert(sizeof(RadianceSH<B>) == kWidth * sizeof(float));
+  assert(!functionals.empty());
+  rig.adapt({functionals.front().data(), functionals.size() * kWidth}, kWidth);
+}
+
 /// c = P F on typed vectors: rig.projections() functionals, rig.shVectors() coefficients, not overlapping.
 template <int B>
 void fitRig(const Rig& rig, std::span<const RadianceSH<B>> functionals,

@@ -1,4 +1,5 @@
-// The text form of a rig model: "constant", "gradient@numeric", "lattice:3x2x2", "mixed:l3,g,c", "poly:6", "auto", ...
+// The text form of a rig model: "constant", "gradient@numeric", "lattice:3x2x2", "mixed:l3,g,c", "poly:6",
+// "invquad:6", "auto", ...
 #pragma once
 
 #include <rigel/result.h>
@@ -39,7 +40,9 @@ struct RigSpec {
   bool pinnedAxes = false;
   LatticeKernel kernel = LatticeKernel::linear;
   FitMethod fit = FitMethod::corners;
-  int polyTerms = 0;      // poly: K
+  int polyTerms = 0;  // poly: K
+  bool falloff =
+      false;  // poly: `invquad`, the polynomial times one falloff 1/quadratic, fitted to the light each frame
   bool adaptive = false;  // poly: `auto`, whose coefficients and near lights are weighed anew each frame
                           // (object_lighting.h); of the K terms a frame takes as many as it needs
 
@@ -51,7 +54,7 @@ struct RigSpec {
   /// The same model, however it was written.
   friend bool operator==(const RigSpec& a, const RigSpec& b) noexcept {
     return a.family == b.family && a.axes == b.axes && a.pinnedAxes == b.pinnedAxes && a.kernel == b.kernel &&
-           a.fit == b.fit && a.polyTerms == b.polyTerms && a.adaptive == b.adaptive;
+           a.fit == b.fit && a.polyTerms == b.polyTerms && a.falloff == b.falloff && a.adaptive == b.adaptive;
   }
 };
 
