@@ -76,6 +76,7 @@ struct ObjectLighting<B>::State {
   void fitFar(const LightSet& far, LightingProbe probe) {
     projectSamples<B>(rig, frame, far, functionals);
     finish(probe, LightingStage::project);
+    adaptRig<B>(rig, functionals);
     fitRig<B>(rig, functionals, coefficients);
     active = rig.shVectors();
   }
