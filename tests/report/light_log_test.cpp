@@ -67,9 +67,10 @@ TEST(LightLog, SaysWhy) {
   EXPECT_EQ(useOf({far(0)}, target).why, "far: the rig holds it without error");
   EXPECT_EQ(useOf({far(0.02f)}, target).why, "far: in the rig it is wrong by at most 1.00 % of the mean light");
   EXPECT_EQ(useOf({far(0.2f)}, target).why,
-            "far: in the rig it is wrong by at most 10.0 % of the mean light, and the target is met without it");
+            "far: in the rig it is wrong by at most 10.0 % of the mean light; by the rig's estimate the target is met "
+            "without it");
   EXPECT_EQ(useOf({far(0.2f)}, aimingAt(Kind::budget, 200)).why,
-            "far: in the rig it is wrong by at most 10.0 % of the mean light, and the budget is spent without it");
+            "far: in the rig it is wrong by at most 10.0 % of the mean light; others take the budget");
   EXPECT_EQ(useOf({far(0.2f)}, two).why,
             "far: in the rig it is wrong by at most 10.0 % of the mean light; others come before it");
   EXPECT_EQ(useOf({far(0.2f)}).why,

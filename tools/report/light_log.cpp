@@ -60,7 +60,7 @@ std::string whyFar(const LightUse& use, const LightingOptions& asked) {
     return error + (asked.nearSlots == 0 ? "; no light is evaluated apart" : "; others come before it");
   const bool budget = asked.target.kind == Kind::budget;
   if (!budget && use.bound <= static_cast<double>(asked.target.value)) return error;
-  return fmt::format("{}, and the {} is {} without it", error, budget ? "budget" : "target", budget ? "spent" : "met");
+  return error + (budget ? "; others take the budget" : "; by the rig's estimate the target is met without it");
 }
 
 std::string whyOf(const LightUse& use, const LightLogContext& context) {

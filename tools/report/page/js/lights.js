@@ -10,13 +10,13 @@ const kRoles = [
 
 const lightColumns = [
   {key: 'name', title: 'Light', get: (light) => light.name},
+  {key: 'course', title: 'Over time', motion: true, draw: courseCell},
   {key: 'type', title: 'Type', get: (light) => light.type, text: true},
-  {key: 'bound', title: 'Bound', unit: '%', get: (light) => light.bound, format: (value) => figure(100 * value), hint: 'Of the error of leaving it in the rig, anywhere on the object: the largest over the frames'},
-  {key: 'share', title: 'Share', unit: '%', get: (light) => light.share, format: (value) => figure(100 * value), bar: true, hint: 'Of the light that the object receives, mean over the frames'},
   {key: 'near', title: 'Near', unit: 'frames', get: (light) => light.near_frames, format: count},
   {key: 'blended', title: 'Blended', unit: 'frames', get: (light) => light.blend_frames, format: count},
   {key: 'culled', title: 'Culled', unit: 'frames', get: (light) => light.culled_frames, format: count},
-  {key: 'course', title: 'Over time', motion: true, draw: courseCell},
+  {key: 'bound', title: 'Bound', unit: '%', get: (light) => light.bound, format: (value) => figure(100 * value), hint: 'Of the error of leaving it in the rig, anywhere on the object: the largest over the frames'},
+  {key: 'share', title: 'Share', unit: '%', get: (light) => light.share, format: (value) => figure(100 * value), bar: true, hint: 'Of the light that the object receives, mean over the frames'},
   {key: 'why', title: 'Why', draw: (light) => element('td', {class: 'why'}, light.why)},
 ];
 
