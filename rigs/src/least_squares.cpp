@@ -11,7 +11,8 @@ namespace rigel {
 namespace {
 
 constexpr int kMaxFunctions = kMaxLsqVectors;
-constexpr int kMaxPoints = 2 * kMaxLsqVectors;
+constexpr int kMaxPoints = LeastSquares::kMaxPoints;
+static_assert(kMaxPoints >= 2 * kMaxLsqVectors);
 
 // Pull per coefficient, on a normal matrix of unit diagonal. Its relative effect on a function that the basis spans is
 // this times the squared condition number: 1e-4 for a condition of 10. It bounds the condition that can be seen at 1e3.

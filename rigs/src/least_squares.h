@@ -11,6 +11,8 @@ namespace rigel {
 /// apart (a hard rank decision would make lighting jump), and it leaves constant light exact.
 class LeastSquares {
  public:
+  static constexpr int kMaxPoints = 128;  // at least two a function
+
   LeastSquares(int points, int functions);
   ~LeastSquares();
   LeastSquares(LeastSquares&&) noexcept;

@@ -27,6 +27,7 @@ class Rig::Model {
  public:
   explicit Model(RigSpec s) : spec(std::move(s)) {}
   virtual ~Model() = default;
+  static std::unique_ptr<Model> create(const RigSpec& spec, const RigShape& rest, int pointsPerVector);
 
   virtual void setPose(const RigPose& pose) noexcept = 0;
   virtual void adapt(std::span<const float> /*light*/, int /*width*/) noexcept {}

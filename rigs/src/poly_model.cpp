@@ -56,9 +56,10 @@ std::vector<double> constantTerm(int terms) {
 
 }  // namespace
 
-Rig::PolyModel::PolyModel(RigSpec s, const RigShape& rest)
+Rig::PolyModel::PolyModel(RigSpec s, const RigShape& rest, int pointsPerVector)
     : Model(std::move(s)),
-      surfaceFit_(*this, rest.surface, constantTerm(spec.polyTerms), spec.falloff ? kFalloffPoints : 0) {
+      surfaceFit_(*this, rest.surface, constantTerm(spec.polyTerms),
+                  std::max(pointsPerVector * spec.polyTerms, spec.falloff ? kFalloffPoints : 0)) {
   const std::vector<Exponents> order = monomialOrder(rest.surface, spec.polyTerms);
   terms_.push_back({0, 0});
   for (std::size_t k = 1; k < order.size(); ++k) {

@@ -17,7 +17,7 @@ namespace rigel {
 
 class Rig::PolyModel final : public Rig::Model {
  public:
-  PolyModel(RigSpec spec, const RigShape& rest);
+  PolyModel(RigSpec spec, const RigShape& rest, int pointsPerVector);
 
   void setPose(const RigPose& pose) noexcept override;
   void adapt(std::span<const float> light, int width) noexcept override;

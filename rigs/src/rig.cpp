@@ -13,6 +13,12 @@ namespace {
 
 bool isFinite(Vec3 v) noexcept { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
+// Sample points of a least-squares rig: two a vector; as many as vectors would fit the points and nothing between.
+constexpr int kPointsPerVector = 2;
+constexpr int kMostPointsPerVector = 4;
+constexpr double kWellDetermined = 100;  // condition up to which the anchors determine the coefficients well
+constexpr double kWorthwhile = 0.5;      // of the condition, for half a projection more per light and vector
+
 }  // namespace
 
 Result<Rig> Rig::create(const RigSpec& spec, const RigShape& rest) {
@@ -24,18 +30,32 @@ Result<Rig> Rig::create(const RigSpec& spec, const RigShape& rest) {
   if (rest.surface.empty()) return Error{"no surface points", place};
   if (!std::ranges::all_of(rest.surface, isFinite)) return Error{"a surface point is not finite", place};
 
+  std::unique_ptr<Model> model = Model::create(spec, rest, kPointsPerVector);
+  // Anchors that do not tell the basis functions apart leave the fit at the mercy of single points: more of them help,
+  // unless the surface itself cannot.
+  for (int points = kPointsPerVector + 1; points <= kMostPointsPerVector && model->condition > kWellDetermined;
+       ++points) {
+    std::unique_ptr<Model> more = Model::create(spec, rest, points);
+    if (more->condition > kWorthwhile * model->condition) break;
+    model = std::move(more);
+  }
+  model->probes = probeSurface(rest, model->anchors);
+  return Rig(std::move(model));
+}
+
+/// In its rest pose.
+std::unique_ptr<Rig::Model> Rig::Model::create(const RigSpec& spec, const RigShape& rest, int pointsPerVector) {
   std::unique_ptr<Model> model;
   if (spec.family == RigSpec::Family::poly) {
-    model = std::make_unique<PolyModel>(spec, rest);
+    model = std::make_unique<PolyModel>(spec, rest, pointsPerVector);
   } else {
-    model = std::make_unique<TensorModel>(spec, rest);
+    model = std::make_unique<TensorModel>(spec, rest, pointsPerVector);
   }
-  std::vector<Vec3> anchors;
-  for (int i : model->anchors) anchors.push_back(rest.surface[i]);
-  model->probes = probeSurface(rest, model->anchors);
+  std::vector<Vec3> posed;
+  for (int i : model->anchors) posed.push_back(rest.surface[i]);
   model->box = rest.box;
-  model->setPose({rest.box, anchors});
-  return Rig(std::move(model));
+  model->setPose({rest.box, posed});
+  return model;
 }
 
 Rig::Rig(std::unique_ptr<Model> model) noexcept : model_(std::move(model)) {}

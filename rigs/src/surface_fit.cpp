@@ -7,11 +7,9 @@
 namespace rigel {
 namespace {
 
-constexpr int kPointsPerVector = 2;
-
 /// Fills the model's anchors; returns the share of the area that each stands for.
-std::vector<float> setUpAnchors(Rig::Model& model, std::span<const Vec3> surface, int vectors, int leastPoints) {
-  Anchors chosen = chooseAnchors(surface, std::max(leastPoints, kPointsPerVector * vectors));
+std::vector<float> setUpAnchors(Rig::Model& model, std::span<const Vec3> surface, int vectors, int points) {
+  Anchors chosen = chooseAnchors(surface, std::min(points, LeastSquares::kMaxPoints));
   model.anchors = std::move(chosen.index);
   model.functionals = static_cast<int>(model.anchors.size());
   model.samples.resize(model.anchors.size());
@@ -30,8 +28,8 @@ std::vector<float> setUpAnchors(Rig::Model& model, std::span<const Vec3> surface
 
 }  // namespace
 
-SurfaceFit::SurfaceFit(Rig::Model& model, std::span<const Vec3> surface, std::vector<double> constant, int leastPoints)
-    : shares_(setUpAnchors(model, surface, static_cast<int>(constant.size()), leastPoints)),
+SurfaceFit::SurfaceFit(Rig::Model& model, std::span<const Vec3> surface, std::vector<double> constant, int points)
+    : shares_(setUpAnchors(model, surface, static_cast<int>(constant.size()), points)),
       weights_(shares_.size()),
       constant_(std::move(constant)),
       leastSquares_(model.functionals, static_cast<int>(constant_.size())) {}

@@ -57,6 +57,22 @@ TEST(RigModels, ProjectionsCountFunctionals) {
   for (const auto& [text, projections] : cases) EXPECT_EQ(rigOf(text, kBody).projections(), projections) << text;
 }
 
+TEST(RigModels, TakesMoreAnchorsWhereTwoAVectorDoNotTell) {
+  int raised = 0;
+  for (const float thin : {1.0f, 0.3f, 0.1f, 0.03f}) {
+    auto body = ellipsoid({}, {1, thin, 0.5f}, 400);
+    for (Vec3 p : ellipsoid({0.8f, 0.6f, 0.1f}, {0.1f, 0.6f, 0.1f}, 100)) body.push_back(p);
+    for (Vec3 p : ellipsoid({-0.6f, -0.2f, 0.5f}, {0.2f, 0.1f, 0.7f}, 100)) body.push_back(p);
+    for (const int terms : {4, 9, 12, 20, 30, 42}) {
+      const Rig rig = rigOf("poly:" + std::to_string(terms), body);
+      EXPECT_GE(rig.projections(), 2 * terms);
+      EXPECT_LE(rig.projections(), std::min(4 * terms, 128));
+      if (rig.projections() > 2 * terms) ++raised;
+    }
+  }
+  EXPECT_GT(raised, 0);
+}
+
 TEST(RigModels, SharesOfTheSurfaceSumToOne) {
   for (const std::string& text : everyKindOfSpec()) {
     Rig rig = rigOf(text, kBody);
