@@ -12,7 +12,8 @@ import subprocess
 import sys
 import tempfile
 
-PAIRS = [("poly:12", "lattice:8x4x2"), ("poly:6", "mixed:l3,g,c")]
+PAIRS = [("poly:12", "lattice:8x4x2"), ("poly:6", "mixed:l3,g,c"), ("lattice:3x2x2@gauss", "lattice:3x2x2"),
+         ("invquad:6", "poly:6")]
 SAMPLES = ["street", "stage", "dragon", "touch", "figure1"]
 ASSETS = ["characters/soldier/soldier1.gltf", "characters/Fox.glb", "vehicles/car/car.gltf",
           "scenes/collisions_level/level.gltf"]
@@ -20,7 +21,7 @@ DONORS = ["sample:street", "sample:dragon"]
 
 
 def measure(rigel, scene, lights):
-    specs = ";".join(spec for pair in PAIRS for spec in pair)
+    specs = ";".join(dict.fromkeys(spec for pair in PAIRS for spec in pair))
     with tempfile.TemporaryDirectory() as out:
         command = [rigel, "report", scene, "--clip", "all", "--rig", specs, "--no-images", "--quiet", "--json", "--out", out]
         if lights:
