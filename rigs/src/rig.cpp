@@ -17,7 +17,7 @@ bool isFinite(Vec3 v) noexcept { return std::isfinite(v.x) && std::isfinite(v.y)
 constexpr int kPointsPerVector = 2;
 constexpr int kMostPointsPerVector = 4;
 constexpr double kWellDetermined = 100;  // condition up to which the anchors determine the coefficients well
-constexpr double kWorthwhile = 0.5;      // of the condition, for half a projection more per light and vector
+constexpr double kWorthwhile = 0.5;      // of the condition, for one projection more per light and vector
 
 }  // namespace
 

@@ -3,7 +3,7 @@
 // A rig is S sample functionals (the SH value, or its derivative along a direction, at a position), a K x S operator P
 // and K basis functions of position. Per frame c_k = sum_s P_ks F_s (K SH vectors); per point L(p) = sum_k phi_k(p)
 // c_k. Everything here is in the rig frame [m]; SH stay in world axes. After "Irradiance Rigs" (Yuan, Nowrouzezahrai,
-// Sloan 2010); poly and least squares are ours.
+// Sloan 2010); @gauss, poly, invquad and least squares are ours.
 #pragma once
 
 #include <rigel/rig_spec.h>
@@ -67,7 +67,7 @@ class Rig {
   int shVectors() const noexcept;    // K
   int projections() const noexcept;  // S: functionals, so value + gradient counts 4
 
-  /// Indices into RigShape::surface of the points that setPose wants posed; empty for @corners and @numeric.
+  /// Indices into RigShape::surface of the points that setPose wants posed; empty for @corners, @numeric and @gauss.
   std::span<const int> anchors() const noexcept;
 
   /// Moves samples, operator and basis to a pose. Continuous in the pose. Allocates nothing.
