@@ -18,7 +18,8 @@ struct KernelConstants {
 };
 constexpr KernelConstants constantsOf(LatticeKernel kernel, int nodes) noexcept {
   if (kernel == LatticeKernel::smooth) return {0.0963, 0.125, 1};
-  if (kernel == LatticeKernel::cubic && nodes > 2) return {0, 0.1407, 1.25};
+  if (kernel == LatticeKernel::cubic && nodes > 2)
+    return nodes == 3 ? KernelConstants{0, 0.1321, 1.1482} : KernelConstants{0, 0.1407, 1.25};
   return {0, 0.125, 1};
 }
 

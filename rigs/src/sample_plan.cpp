@@ -168,9 +168,22 @@ void SamplePlanner::probeAll(SamplePlan& samples) noexcept {
   for (const RigSample& sample : rig_.samples()) probe(sample.position, samples);
   // The first probes are the farthest of each patch; few anchors can afford all.
   constexpr int kAffordable = 24;
-  for (int i = 0; i < std::min(samples.probes, std::max(samples.samples, kAffordable)); ++i) {
+  const int affordable = rig_.spec().falloff ? samples.probes : std::max(samples.samples, kAffordable);
+  for (int i = 0; i < std::min(samples.probes, affordable); ++i) {
     const auto& [x, y, z] = samples.probe[i];
     probe({x, y, z}, samples);
+  }
+  if (rig_.spec().falloff) {
+    // Weights change fastest around the peak of the falloff.
+    const Vec3 peak = peakOfFalloff();
+    probe(peak, samples);
+    for (int a = 0; a < 3; ++a) {
+      for (const float step : {-0.3f, -0.1f, 0.1f, 0.3f}) {
+        Vec3 p = peak;
+        p[a] = std::clamp(p[a] + step * (box.hi[a] - box.lo[a]), box.lo[a], box.hi[a]);
+        probe(p, samples);
+      }
+    }
   }
   // The surface touches every face of the box, and along an axis that the rig knows nothing of the error is largest
   // there.
@@ -182,6 +195,50 @@ void SamplePlanner::probeAll(SamplePlan& samples) noexcept {
       probe(p, samples);
     }
   }
+}
+
+Vec3 SamplePlanner::peakOfFalloff() const noexcept {
+  // The first basis function is 1/q; q is a convex quadratic, known from ten of its values.
+  const auto place = [&](const std::array<double, 3>& u) {
+    Vec3 p;
+    for (int a = 0; a < 3; ++a)
+      p[a] = static_cast<float>(centre_[a] + (inverseHalf_[a] > 0 ? u[a] / inverseHalf_[a] : 0.0));
+    return p;
+  };
+  const auto q = [&](const std::array<double, 3>& u) {
+    RigBasis basis;
+    rig_.basis(place(u), basis);
+    return 1 / std::max(static_cast<double>(basis.value[0]), 1e-30);
+  };
+  const auto unit = [](int a, double x) {
+    std::array<double, 3> u{};
+    u[a] = x;
+    return u;
+  };
+  const double middle = q({});
+  std::array<double, 3> ahead{}, linear{}, square{};
+  for (int a = 0; a < 3; ++a) {
+    ahead[a] = q(unit(a, 1));
+    const double behind = q(unit(a, -1));
+    linear[a] = (ahead[a] - behind) / 2;
+    square[a] = (ahead[a] + behind) / 2 - middle;
+  }
+  std::array<double, 3> cross{};  // of the axes other than a
+  for (int a = 0; a < 3; ++a) {
+    std::array<double, 3> both{1, 1, 1};
+    both[a] = 0;
+    cross[a] = q(both) - ahead[(a + 1) % 3] - ahead[(a + 2) % 3] + middle;
+  }
+  std::array<double, 3> u{};
+  for (int step = 0; step < 16; ++step) {
+    for (int a = 0; a < 3; ++a) {
+      const int b = (a + 1) % 3;
+      const int c = (a + 2) % 3;
+      const double slope = linear[a] + cross[c] * u[b] + cross[b] * u[c];
+      u[a] = square[a] > 0 ? std::clamp(-slope / (2 * square[a]), -1.0, 1.0) : slope > 0 ? -1.0 : 1.0;
+    }
+  }
+  return place(u);
 }
 
 void SamplePlanner::placeProbes(SamplePlan& samples) const noexcept {
@@ -233,7 +290,7 @@ bool SamplePlanner::plan(BoundPlan& plan, SamplePlan& samples) noexcept {
   if (!rig_.anchors().empty()) placeProbes(samples);
   readSpan(plan);
   spanned_ = {watches(1, 0, 0), watches(0, 1, 0), watches(0, 0, 1)};
-  plan.linear = spanned_[0] && spanned_[1] && spanned_[2];
+  plan.linear = spanned_[0] && spanned_[1] && spanned_[2] && !rig_.spec().falloff;
   if (plan.polynomial) watchBeyond();
   for (int t = 0; t < watched_; ++t) degree_ = std::max<int>(degree_, std::ranges::max(watch_[t]));
   samples.degree = std::min(degree_ + 1, SamplePlan::kMaxDegree);

@@ -26,6 +26,7 @@ class SamplePlanner {
   void valuesAt(const std::array<float, 3>& p, Values& out) const noexcept;
   void probe(Vec3 p, detail::SamplePlan& samples) noexcept;
   void probeAll(detail::SamplePlan& samples) noexcept;
+  Vec3 peakOfFalloff() const noexcept;
   void placeProbes(detail::SamplePlan& samples) const noexcept;
   void listBoundary(detail::SamplePlan& samples) const noexcept;
 
