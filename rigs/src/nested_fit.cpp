@@ -62,8 +62,11 @@ void NestedFit::factor(std::span<const float> shares) noexcept {
   for (int k = 0; k < n; ++k) {
     for (int s = 0; s < points_; ++s)
       orthonormal_[static_cast<std::size_t>(k) * points_ + s] = static_cast<float>(at(s, k));
-    for (int j = 0; j < n; ++j)
-      given_[static_cast<std::size_t>(k) * n + j] = static_cast<float>(given(k, j) * static_cast<double>(damping_[j]));
+    // Back from coefficients that are scaled to the energy they take (`analyse`).
+    for (int j = 0; j < n; ++j) {
+      const auto d = static_cast<double>(damping_[j]);
+      given_[static_cast<std::size_t>(k) * n + j] = static_cast<float>(given(k, j) * std::sqrt(d / (2 - d)));
+    }
   }
 }
 
@@ -77,10 +80,15 @@ void NestedFit::analyse(const float* values, int width, float* coefficients, flo
       const float* r = residuals + static_cast<std::size_t>(s) * width;
       for (int i = 0; i < width; ++i) a[i] += q[s] * r[i];
     }
+    // Only what the damped function takes: the direction of one that is nothing but rounding is random, and must not
+    // hide its part of the light from the functions after it.
     for (int s = 0; s < points_; ++s) {
       float* r = residuals + static_cast<std::size_t>(s) * width;
-      for (int i = 0; i < width; ++i) r[i] -= q[s] * a[i];
+      const float taken = damping_[k] * q[s];
+      for (int i = 0; i < width; ++i) r[i] -= taken * a[i];
     }
+    const float energy = std::sqrt(damping_[k] * (2 - damping_[k]));
+    for (int i = 0; i < width; ++i) a[i] *= energy;
   }
 }
 

@@ -24,14 +24,15 @@ class NestedFit {
   void factor(std::span<const float> shares) noexcept;
 
   /// Splits values at the points (`width` floats a point, already times sqrt(share)) into the coefficients of the
-  /// orthonormal functions (functions x width) and what is left (points x width).
+  /// orthonormal functions (functions x width) and what is left (points x width); the two hold all energy of the
+  /// values. A damped function takes its share of the energy and leaves the rest.
   void analyse(const float* values, int width, float* coefficients, float* residuals) const noexcept;
 
   /// Coefficients of the first `count` given functions for orthonormal coefficients times `weights`. `out` has
   /// count x width floats.
   void synthesise(const float* coefficients, int width, std::span<const float> weights, float* out) const noexcept;
 
-  /// In [0, 1]; multiplies the coefficient of each orthonormal function in `synthesise`.
+  /// In [0, 1]: how much of its coefficient each orthonormal function takes.
   std::span<const float> damping() const noexcept { return damping_; }
 
  private:
