@@ -20,7 +20,9 @@ constexpr float kWindow = 0.5f;
 constexpr float kSoftness = 0.04f;
 // Of the squared total target, left to the spatial part where truncation alone takes all of it.
 constexpr float kLeastRoom = 0.04f;
-constexpr float kUnfit = 2000;  // ns, on top of a choice that misses its target by its own size or more
+constexpr float kUnfit = 2000;  // ns a doubling of the target that a choice misses
+// Of the error of all lights left out; targets below it are held there.
+constexpr float kLeastTarget = 1e-6f;
 
 float smoothstep(float x) noexcept {
   x = std::clamp(x, 0.0f, 1.0f);
@@ -173,6 +175,11 @@ TradeOff::Choice TradeOff::choose(const Request& request) const {
   struct Option {
     float objective, spatial, cap, nanoseconds;
   };
+  const Level& all = levels_[0];
+  const float least = kLeastTarget * std::sqrt(all.beyond.front() + all.truncation);
+  const auto over = [&](float square, float target) {
+    return square > 0 ? std::sqrt(square) / std::max(target, least) : 0.0f;
+  };
   // What one level costs, with and without the high band; for a budget, how wrong it is.
   const auto look = [&](const Level& level, bool high) {
     Option option{0, 0, static_cast<float>(level.beyond.size()) - 1, 0};
@@ -197,30 +204,31 @@ TradeOff::Choice TradeOff::choose(const Request& request) const {
       return option;
     }
     option.spatial = spatialRoom(request, truncation);
-    float missed = total ? std::sqrt(truncation) / request.value - 1 : 0;
+    float missed = total ? over(truncation, request.value) : 0;
     float vectors = static_cast<float>(request.vectors);
     if (request.vectors == 0) {
-      for (std::size_t j = 0; j < most; ++j) vectors += active(std::sqrt(level.beyond[j]) / option.spatial - kFadeFrom);
+      for (std::size_t j = 0; j < most; ++j) vectors += active(over(level.beyond[j], option.spatial) - kFadeFrom);
     }
-    missed = std::max(missed, std::sqrt(level.beyond[most]) / option.spatial - 1);
+    missed = std::max(missed, over(level.beyond[most], option.spatial));
     option.nanoseconds = nanoseconds(request.cost, vectors, level.nearLights, high ? 1 : 0);
-    option.objective = option.nanoseconds + kUnfit * std::clamp(missed, 0.0f, 1.0f);
+    option.objective = option.nanoseconds + kUnfit * std::log2(std::max(missed, 1.0f));
     return option;
   };
 
   const int variants = request.highBand ? 2 : 1;
   costs_.clear();
-  float least = std::numeric_limits<float>::infinity();
+  float cheapest = std::numeric_limits<float>::infinity();
   for (std::size_t l = 0; l < levelCount_; ++l)
     for (int v = 0; v < variants; ++v) {
       costs_.push_back(look(levels_[l], v == 1).objective);
-      least = std::min(least, costs_.back());
+      cheapest = std::min(cheapest, costs_.back());
     }
   Choice choice;
   float sum = 0;
-  const float softness = kSoftness * (budget ? least : least + 10);
+  const float softness = kSoftness * (budget ? cheapest : cheapest + 10);
   for (std::size_t i = 0; i < costs_.size(); ++i) {
-    const float p = softness > 0 ? std::exp((least - costs_[i]) / softness) : static_cast<float>(costs_[i] == least);
+    const float p =
+        softness > 0 ? std::exp((cheapest - costs_[i]) / softness) : static_cast<float>(costs_[i] == cheapest);
     if (p < 1e-6f) continue;
     const Level& level = levels_[i / variants];
     const Option option = look(level, i % variants == 1);
