@@ -23,6 +23,12 @@ Rgb colourOf(const PointLight& l) noexcept { return l.intensity; }
 Rgb colourOf(const SpotLight& l) noexcept { return l.intensity; }
 Rgb colourOf(const SphereLight& l) noexcept { return l.radiance; }
 
+/// Projecting the high bands is left out where nobody asks for what is in them.
+bool measuresTotal(const LightingOptions& options) noexcept {
+  return options.estimate || options.target.kind == LightingTarget::Kind::totalError ||
+         options.target.kind == LightingTarget::Kind::budget;
+}
+
 void finish(LightingProbe probe, LightingStage stage) {
   if (probe.done != nullptr) probe.done(probe.context, stage);
 }
@@ -32,7 +38,7 @@ void finish(LightingProbe probe, LightingStage stage) {
 template <int B>
 struct ObjectLighting<B>::State {
   State(Rig r, const RigShape& rest, const LightingOptions& o)
-      : options(o), rig(std::move(r)), check(rig, rest, options.wrap) {
+      : options(o), rig(std::move(r)), check(rig, rest, options.wrap, measuresTotal(options)) {
     anchors.assign(rig.anchors().begin(), rig.anchors().end());
     anchors.insert(anchors.end(), check.extraAnchors().begin(), check.extraAnchors().end());
     slots = chooses() && options.nearSlots == 0 ? kMaxNearLights : options.nearSlots;
@@ -122,7 +128,7 @@ struct ObjectLighting<B>::State {
   void estimate(float spatialSquare, float truncationSquare) {
     const auto relative = [&](float square) { return reference() > 0 ? std::sqrt(square) / reference() : 0.0f; };
     spatialEstimate = relative(spatialSquare);
-    totalEstimate = relative(spatialSquare + truncationSquare);
+    if (check.rows.truncated > 0) totalEstimate = relative(spatialSquare + truncationSquare);
   }
 
   float reference() const noexcept { return options.reference > 0 ? options.reference : frameMean; }
@@ -167,6 +173,10 @@ struct ObjectLighting<B>::State {
   }
 
   void describeLights(const LightSet& lights) {
+    if (rig.spec().falloff) {  // what one light adds is judged under the falloff of all
+      projectSamples<B>(rig, frame, lights, functionals);
+      adaptRig<B>(rig, functionals);
+    }
     means.assign(lights.size(), 0);
     individually.assign(lights.size(), 0);
     for (std::size_t i = 0; i < candidates.size(); ++i) {

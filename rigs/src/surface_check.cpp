@@ -19,7 +19,7 @@ int highBandOf(float wrap) noexcept { return wrap > 0 ? 3 : 4; }
 }  // namespace
 
 template <int B>
-SurfaceCheck<B>::SurfaceCheck(const Rig& rig, const RigShape& rest, float wrap)
+SurfaceCheck<B>::SurfaceCheck(const Rig& rig, const RigShape& rest, float wrap, bool truncation)
     : functionals_(rig.projections()), coefficients_(rig.shVectors()) {
   own_ = rig.spec().adaptive || rig.anchors().size() >= kPoints;
   if (own_) {
@@ -38,13 +38,13 @@ SurfaceCheck<B>::SurfaceCheck(const Rig& rig, const RigShape& rest, float wrap)
   rows.width = kWidth;
   if (own_ && !nested_)
     rows.inflation = inflation(static_cast<float>(points_.size()), static_cast<float>(rig.shVectors()));
-  setUpScales(wrap);
+  setUpScales(wrap, truncation);
 }
 
 /// Factors from SH coefficients to RMS irradiance: E(n) = pi sum f_l L_lm Y_lm(n) has the mean square
 /// sum (pi f_l L_lm)^2 / 4pi over normals.
 template <int B>
-void SurfaceCheck<B>::setUpScales(float wrap) {
+void SurfaceCheck<B>::setUpScales(float wrap, bool truncation) {
   const std::array<float, kMaxBands> f = wrapCoefficients<kMaxBands>(wrap);
   const auto squared = [&](int l) { return kPi * static_cast<double>(f[l]) * static_cast<double>(f[l]) / 4 / 3; };
   constexpr double kY00 = 0.28209479177387814;
@@ -53,6 +53,7 @@ void SurfaceCheck<B>::setUpScales(float wrap) {
   for (int l = 0; l < B; ++l)
     for (int i = 3 * shCount(l); i < 3 * shCount(l + 1); ++i) rows.weight[i] = static_cast<float>(squared(l));
 
+  if (!truncation) return;
   rows.truncatedRows = static_cast<int>((points_.size() + kTruncationEvery - 1) / kTruncationEvery);
   rows.truncated = rows.truncatedRows * kTruncatedWidth;
   truncationScale_.resize(kTruncatedWidth);
@@ -97,24 +98,27 @@ template <int B>
 float SurfaceCheck<B>::describe(const LightSet& lights, Rig& rig, int index) {
   float* block = rows.fields.data() + static_cast<std::size_t>(index) * rows.block();
   float* residuals = block + static_cast<std::size_t>(rows.nested) * kWidth;
+  float* truncated = rows.truncation.data() + static_cast<std::size_t>(index) * rows.truncated;
   float mean = 0;
   for (std::size_t s = 0; s < points_.size(); ++s) {
-    const RadianceSH<B> sh = project<B>(lights, points_[s].position, points_[s].footprint);
-    mean += points_[s].share * (sh[0].r + sh[0].g + sh[0].b);
-    const float root = std::sqrt(points_[s].share);
+    const Point& point = points_[s];
+    RadianceSH<B> sh;
+    if (rows.truncated > 0 && s % kTruncationEvery == 0) {
+      const RadianceSH<kMaxBands> all = project<kMaxBands>(lights, point.position, point.footprint);
+      std::copy_n(all.c.begin(), shCount(B), sh.c.begin());
+      const float* from = all.data() + 3 * shCount(kFirstTruncated);
+      for (int i = 0; i < kTruncatedWidth; ++i) *truncated++ = truncationScale_[i] * from[i];
+    } else {
+      sh = project<B>(lights, point.position, point.footprint);
+    }
+    mean += point.share * (sh[0].r + sh[0].g + sh[0].b);
+    const float root = std::sqrt(point.share);
     for (int i = 0; i < kWidth; ++i) values_[s * kWidth + i] = root * sh.data()[i];
   }
   if (nested_) {
     nested_->analyse(values_.data(), kWidth, block, residuals);
   } else {
     subtractRig(lights, rig, residuals);
-  }
-
-  float* truncated = rows.truncation.data() + static_cast<std::size_t>(index) * rows.truncated;
-  for (std::size_t s = 0; s < points_.size(); s += kTruncationEvery) {
-    const RadianceSH<kMaxBands> sh = project<kMaxBands>(lights, points_[s].position, points_[s].footprint);
-    const float* from = sh.data() + 3 * shCount(kFirstTruncated);
-    for (int i = 0; i < kTruncatedWidth; ++i) *truncated++ = truncationScale_[i] * from[i];
   }
   rows.excess[index] = 0;
   for (int i = 0; i < lights.size(); ++i)

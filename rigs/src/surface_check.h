@@ -17,7 +17,8 @@ namespace rigel {
 template <int B>
 class SurfaceCheck {
  public:
-  SurfaceCheck(const Rig& rig, const RigShape& rest, float wrap);
+  /// `truncation`: what the rig's bands leave out is wanted, too.
+  SurfaceCheck(const Rig& rig, const RigShape& rest, float wrap, bool truncation);
 
   /// Indices into RigShape::surface of the points that setPose wants, after the rig's own.
   std::span<const int> extraAnchors() const noexcept { return extraAnchors_; }
@@ -59,7 +60,7 @@ class SurfaceCheck {
     float footprint = 0;
   };
 
-  void setUpScales(float wrap);
+  void setUpScales(float wrap, bool truncation);
   void subtractRig(const LightSet& lights, Rig& rig, float* residuals);
   template <class Light>
   float excessOf(const Light& light) const noexcept;
