@@ -1,6 +1,6 @@
 // How well rigs know their error, and how close `auto` comes to an oracle that knows the truth.
 //
-//     rigel_error_study [--data FOLDER] [--step N] [--points N] [--estimates] [--targets]
+//     rigel_error_study [--data FOLDER] [--step N] [--points N] [--estimates] [--targets] [--tools]
 #include "study/nested_oracle.h"
 
 #include <fmt/format.h>
@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 namespace rigel::tools {
 namespace {
@@ -50,10 +51,13 @@ struct Target {
 
 class Study final : public StudyVisitor {
  public:
-  bool estimates = true, targets = true, verbose = false;
+  bool estimates = true, targets = true, tools = false, verbose = false;
+  std::map<std::string, std::vector<double>> toolCosts;  // of oracles with other tools, over that of the plain one
   std::map<std::string, std::vector<double>> pooledEstimates;  // by rig spec
   std::map<std::string, std::vector<double>> sceneEstimates;   // by object
+  std::map<std::string, std::vector<double>> inputEstimates;
   std::vector<std::pair<Target, TargetTally>> pooled;
+  std::map<std::string, std::map<std::string, TargetTally>> byInput;
   std::map<std::string, std::map<std::string, TargetTally>> byObject;
   // Cost and hits of every fixed choice (vectors, near, band), by target.
   std::map<std::string, std::map<std::tuple<int, int, bool>, int>> fixedHits;
@@ -64,7 +68,8 @@ class Study final : public StudyVisitor {
     for (double v : {0.03, 0.02}) pooled.push_back({{LightingTarget::Kind::totalError, v}, {}});
   }
 
-  void begin(const std::string& name, const RigShape& rest, double runMean) override {
+  void begin(const StudyInput& input, const std::string& name, const RigShape& rest, double runMean) override {
+    input_ = input.label();
     name_ = name;
     mean_ = runMean;
     shape_.assign(rest.surface.begin(), rest.surface.end());
@@ -94,6 +99,43 @@ class Study final : public StudyVisitor {
     std::fflush(stdout);
   }
 
+  /// What the project promises of estimates and targets (rigs/README.md); one line for each promise that is not kept.
+  int broken(bool allInputs) const {
+    int count = 0;
+    const auto promise = [&](bool kept, const std::string& text) {
+      if (kept) return;
+      fmt::print("BROKEN: {}\n", text);
+      ++count;
+    };
+    std::vector<double> all;
+    for (const auto& [input, ratios] : inputEstimates) {
+      all.insert(all.end(), ratios.begin(), ratios.end());
+      promise(share(ratios, 1 / 1.6) >= 0.90, input + ": 1.6 x estimate covers 90 % of frames");
+    }
+    if (estimates) {
+      promise(share(all, 1 / 1.6) >= 0.95, "1.6 x estimate covers 95 % of frames");
+      promise(quantile(all, .5) >= 0.7 && quantile(all, .5) <= 2, "median estimate/true in [0.7, 2]");
+    }
+    for (const auto& [input, tallies] : byInput)
+      for (const auto& [label, tally] : tallies)
+        promise(share(tally.margin, 1) >= 0.90, input + ": " + label + " met in 90 % of frames");
+    if (!targets) return count;
+    for (const auto& [target, tally] : pooled) {
+      promise(share(tally.margin, 1) >= 0.95, target.label() + " met in 95 % of frames");
+      if (target.kind == LightingTarget::Kind::spatialError) {
+        promise(quantile(tally.vectorExcess, .5) <= 2, target.label() + ": median of 2 SH vectors above the oracle");
+        promise(quantile(tally.nearExcess, .5) <= 1, target.label() + ": median of 1 near light above the oracle");
+      } else {
+        // Promised of all inputs together; five built-in objects are too few for a median.
+        promise(!allInputs || quantile(tally.costRatio, .5) <= 1.3,
+                target.label() + ": median cost 1.3 x the oracle's");
+        promise(quantile(tally.cost, .5) < bestFixed(target).second,
+                target.label() + ": cheaper than any fixed choice");
+      }
+    }
+    return count;
+  }
+
   void summary() const {
     fmt::print("\n");
     std::vector<double> all;
@@ -105,23 +147,17 @@ class Study final : public StudyVisitor {
     if (estimates)
       fmt::print("{:44} estimate: 1.6x covers {:5.1f} %  median {:.2f}\n", "all", 100 * share(all, 1 / 1.6),
                  quantile(all, .5));
+    for (const auto& [tool, costs] : toolCosts)
+      fmt::print(
+          "{:44} cost over the oracle's without it: median {:.3f} mean {:.3f} 10 % {:.3f}\n", tool, quantile(costs, .5),
+          std::accumulate(costs.begin(), costs.end(), 0.0) / static_cast<double>(costs.size()), quantile(costs, .1));
     if (!targets) return;
     for (const auto& [target, tally] : pooled) {
       print("all", target.label(), tally);
-      const auto hits = fixedHits.find(target.label());
-      if (hits == fixedHits.end()) continue;
-      const int frames = fixedFrames.at(target.label());
-      float best = std::numeric_limits<float>::infinity();
-      std::tuple<int, int, bool> which{};
-      for (const auto& [choice, count] : hits->second) {
-        if (count < 0.95 * frames) continue;
-        const auto [vectors, near, high] = choice;
-        const float ns = cost_.base + cost_.vector * static_cast<float>(vectors) +
-                         cost_.nearLight * static_cast<float>(near) + (high ? cost_.highBand : 0);
-        if (ns < best) best = ns, which = choice;
-      }
-      fmt::print("  best fixed choice: K {} near {} high {}: {:.0f} ns\n", std::get<0>(which), std::get<1>(which),
-                 std::get<2>(which), best);
+      if (!fixedHits.contains(target.label())) continue;
+      const auto [choice, ns] = bestFixed(target);
+      fmt::print("  best fixed choice: K {} near {} high {}: {:.0f} ns\n", std::get<0>(choice), std::get<1>(choice),
+                 std::get<2>(choice), ns);
     }
   }
 
@@ -138,6 +174,19 @@ class Study final : public StudyVisitor {
         name, label, 100 * share(t.margin, 1), quantile(t.vectorExcess, .5), quantile(t.nearExcess, .5),
         quantile(t.cost, .5), quantile(t.oracleCost, .5), quantile(t.costRatio, .5), quantile(t.costRatio, .9),
         quantile(t.estimateRatio, .5));
+  }
+
+  /// The cheapest choice that, kept for all frames, meets the target in 95 % of them.
+  std::pair<std::tuple<int, int, bool>, float> bestFixed(const Target& target) const {
+    std::pair<std::tuple<int, int, bool>, float> best{{}, std::numeric_limits<float>::infinity()};
+    for (const auto& [choice, count] : fixedHits.at(target.label())) {
+      if (count < 0.95 * fixedFrames.at(target.label())) continue;
+      const auto [vectors, near, high] = choice;
+      const float ns = cost_.base + cost_.vector * static_cast<float>(vectors) +
+                       cost_.nearLight * static_cast<float>(near) + (high ? cost_.highBand : 0);
+      if (ns < best.second) best = {choice, ns};
+    }
+    return best;
   }
 
   void create(float wrap) {
@@ -202,6 +251,7 @@ class Study final : public StudyVisitor {
     const double ratio = static_cast<double>(*lit.lighting.spatialEstimate()) / truth;
     pooledEstimates[lit.spec].push_back(ratio);
     sceneEstimates[name_].push_back(ratio);
+    inputEstimates[input_].push_back(ratio);
   }
 
   void judgeTarget(const StudyFrame& f, Lit& lit, std::size_t t, float wrap) {
@@ -227,11 +277,13 @@ class Study final : public StudyVisitor {
     one.estimateRatio = {estimate / std::max(truth, 1e-9)};
     tally.append(one);
     byObject[name_][target.label()].append(one);
+    byInput[input_][target.label()].append(one);
     if (verbose)
       fmt::print("  {} {} lights {} true {:.4f} est {:.4f} K {:.0f}/{} near {:.0f}/{} cost {:.0f}/{:.0f}\n", name_,
                  target.label(), f.lights->set.size(), truth, estimate, vectors, choice.vectors, near,
                  choice.nearLights, one.cost[0], one.oracleCost[0]);
     if (!total) return;
+    if (tools) compareTools(target);
     ++fixedFrames[target.label()];
     for (int v = 1; v <= oracle_->vectors(); ++v)
       for (int n = 0; n <= 40; ++n)
@@ -242,7 +294,20 @@ class Study final : public StudyVisitor {
 
   float wrap_ = 0;
   MaterialWrap<3> material_;
-  std::string name_;
+  /// What each tool saves the oracle, as a share of its cost.
+  void compareTools(const Target& target) {
+    const double goal = target.value * mean_;
+    const OracleChoice plain = oracle_->cheapestTotal(goal, cost_, {false, 0});
+    const auto note = [&](const char* tool, float ns) {
+      toolCosts[target.label() + " " + tool].push_back(static_cast<double>(ns / plain.nanoseconds));
+    };
+    note("high band", oracle_->cheapestTotal(goal, cost_, {true, 0}).nanoseconds);
+    note("two correctors", oracle_->cheapestTotal(goal, cost_, {false, 2}).nanoseconds);
+    note("merging (at best)",
+         plain.nanoseconds - cost_.nearLight * static_cast<float>(oracle_->mergeable(plain.nearLights, 0.15)));
+  }
+
+  std::string input_, name_;
   double mean_ = 0;
   bool first_ = true;
   std::vector<Vec3> shape_;
@@ -258,18 +323,20 @@ class Study final : public StudyVisitor {
 int main(int count, char** arguments) {
   using namespace rigel::tools;
   CLI::App app("How well rigs know their error, and how close auto comes to an oracle");
+  Study study;
   std::string data, only;
   int step = 8, points = 256;
-  bool estimates = false, targets = false, verbose = false;
+  bool estimates = false, targets = false, verbose = false, check = false;
   app.add_option("--data", data, "Folder with characters/, vehicles/ and scenes/");
   app.add_option("--only", only, "Inputs whose scene or donor contains this");
   app.add_option("--step", step, "Every STEPth frame")->capture_default_str();
   app.add_option("--points", points, "Surface points")->capture_default_str();
   app.add_flag("--estimates", estimates, "Estimates of fixed rigs alone");
   app.add_flag("--targets", targets, "Targets of auto rigs alone");
+  app.add_flag("--tools", study.tools, "What high band, correctors and merging would save an oracle");
+  app.add_flag("--check", check, "Exit 1 where a promise of rigs/README.md is not kept");
   app.add_flag("--verbose", verbose, "Every frame");
   CLI11_PARSE(app, count, arguments);
-  Study study;
   study.estimates = estimates || !targets;
   study.targets = targets || !estimates;
   study.verbose = verbose;
@@ -281,4 +348,5 @@ int main(int count, char** arguments) {
     }
   }
   study.summary();
+  return check && study.broken(!data.empty()) > 0 ? 1 : 0;
 }

@@ -37,6 +37,7 @@ NestedOracle::NestedOracle(const StudyFrame& frame, const Rig& rig, float wrap)
 
   rig_.assign((vectors_ + 1) * lights_ * row_, 0);
   high_.assign(lights_ * row_, 0);
+  corrector_.assign(lights_ * row_, 0);
   const std::array<float, 3> f = wrapCoefficients<3>(wrap);
   const float f4 = wrapCoefficients<5>(wrap)[4];
   std::vector<float> values(points * kWidth), coefficients(vectors_ * kWidth), rest(points * kWidth);
@@ -50,6 +51,11 @@ NestedOracle::NestedOracle(const StudyFrame& frame, const Rig& rig, float wrap)
         for (int j = 0; j < kWidth; ++j) values[s * kWidth + j] = std::sqrt(shares[s]) * sh.data()[j];
         for (int m = 0; m < 9; ++m) band4[m] += sh[16 + m] * shares[s];
       });
+    }
+    const NearLight near = frame.lights->set.visit(i, [](const auto& light) { return nearLight(light); });
+    for (std::size_t p = 0; p < frame.points.size(); ++p) {
+      const Rgb e = correctorIrradiance(near, frame.points[p].position, frame.points[p].normal, nearWrap(wrap));
+      for (int c = 0; c < 3; ++c) corrector_[i * row_ + 3 * p + c] = e[c];
     }
     fit.analyse(values.data(), kWidth, coefficients.data(), rest.data());
     for (int j = 1; j <= vectors_; ++j) {
@@ -108,17 +114,18 @@ double NestedOracle::spatialSquare(int vectors, int nearLights) const {
   return std::inner_product(error.begin(), error.end(), error.begin(), 0.0) / static_cast<double>(row_);
 }
 
-double NestedOracle::totalSquare(int vectors, int nearLights, bool highBand) const {
+double NestedOracle::totalSquare(int vectors, int nearLights, bool highBand, int correctors) const {
   std::vector<double> far(row_, 0), near(row_, 0);
   for (int i = 0; i < lights_; ++i) {
     const int light = totalOrder_[i];
     for (std::size_t p = 0; p < row_; ++p) {
       if (i < nearLights) {
         near[p] += static_cast<double>(frame_.exact[light * row_ + p]);
-      } else {
-        far[p] += static_cast<double>(rigRow(vectors, light)[p]);
-        if (highBand) far[p] += static_cast<double>(high_[light * row_ + p]);
+        continue;
       }
+      far[p] += static_cast<double>(rigRow(vectors, light)[p]);
+      if (highBand) far[p] += static_cast<double>(high_[light * row_ + p]);
+      if (i < nearLights + correctors) far[p] += static_cast<double>(corrector_[light * row_ + p]);
     }
   }
   double sum = 0;
@@ -126,24 +133,51 @@ double NestedOracle::totalSquare(int vectors, int nearLights, bool highBand) con
   return sum / static_cast<double>(row_);
 }
 
-template <class Square>
-OracleChoice NestedOracle::cheapest(double target, const CostModel& cost, int variants, Square square) const {
-  OracleChoice best{0, lights_, false, nanoseconds(cost, 0, lights_, false)};  // every light exact
+OracleChoice NestedOracle::cheapestSpatial(double target, const CostModel& cost) const {
+  OracleChoice best{0, lights_, false, 0, nanoseconds(cost, 0, lights_, false)};  // every light exact
   for (int near = 0; near < lights_; ++near)
-    for (int vectors = 1; vectors <= vectors_; ++vectors)
-      for (int v = 0; v < variants; ++v) {
-        const OracleChoice choice{vectors, near, v == 1, nanoseconds(cost, vectors, near, v == 1)};
-        if (choice.nanoseconds < best.nanoseconds && square(vectors, near, v == 1) <= target * target) best = choice;
-      }
+    for (int vectors = 1; vectors <= vectors_; ++vectors) {
+      const float ns = nanoseconds(cost, vectors, near, false);
+      if (ns < best.nanoseconds && spatialSquare(vectors, near) <= target * target)
+        best = {vectors, near, false, 0, ns};
+    }
   return best;
 }
 
-OracleChoice NestedOracle::cheapestSpatial(double target, const CostModel& cost) const {
-  return cheapest(target, cost, 1, [&](int vectors, int near, bool) { return spatialSquare(vectors, near); });
+OracleChoice NestedOracle::cheapestTotal(double target, const CostModel& cost, OracleTools tools) const {
+  OracleChoice best{0, lights_, false, 0, nanoseconds(cost, 0, lights_, false)};
+  for (int near = 0; near < lights_; ++near)
+    for (int vectors = 1; vectors <= vectors_; ++vectors)
+      for (int correctors = 0; correctors <= std::min(tools.correctors, lights_ - near); ++correctors)
+        for (int high = 0; high <= (tools.highBand && correctors == 0 ? 1 : 0); ++high) {
+          const float ns =
+              nanoseconds(cost, vectors, near, high == 1) + kCorrectorNanoseconds * static_cast<float>(correctors);
+          if (ns < best.nanoseconds && totalSquare(vectors, near, high == 1, correctors) <= target * target)
+            best = {vectors, near, high == 1, correctors, ns};
+        }
+  return best;
 }
 
-OracleChoice NestedOracle::cheapestTotal(double target, const CostModel& cost) const {
-  return cheapest(target, cost, 2, [&](int vectors, int near, bool high) { return totalSquare(vectors, near, high); });
+int NestedOracle::mergeable(int nearLights, double spread) const {
+  std::vector<Vec3> groups;
+  int merged = 0;
+  for (int i = 0; i < nearLights; ++i) {
+    const bool directional = totalOrder_[i] < frame_.lights->set.directionalCount();
+    if (directional) continue;
+    const Vec3 at =
+        frame_.lights->set.visit(totalOrder_[i], [](const auto& light) { return nearLight(light).position; });
+    float distance = std::numeric_limits<float>::infinity();
+    for (const PointAndNormal& point : frame_.points) distance = std::min(distance, length(point.position - at));
+    const auto close = [&](Vec3 group) {
+      return static_cast<double>(length(group - at)) <= 2 * spread * static_cast<double>(distance);
+    };
+    if (std::ranges::any_of(groups, close)) {
+      ++merged;
+    } else {
+      groups.push_back(at);
+    }
+  }
+  return merged;
 }
 
 }  // namespace rigel::tools

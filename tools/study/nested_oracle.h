@@ -11,8 +11,16 @@ namespace rigel::tools {
 struct OracleChoice {
   int vectors = 0, nearLights = 0;
   bool highBand = false;
+  int correctors = 0;
   float nanoseconds = 0;
 };
+
+/// What an oracle may use beside SH vectors and near lights.
+struct OracleTools {
+  bool highBand = true;
+  int correctors = 0;  // at most
+};
+inline constexpr float kCorrectorNanoseconds = 9;  // a directional near light and a polynomial
 
 /// True errors of every choice in one frame, near lights taken in the order of their own error.
 class NestedOracle {
@@ -24,21 +32,23 @@ class NestedOracle {
   int lights() const { return lights_; }
   /// Mean squares [W/m2]^2 over points and channels.
   double spatialSquare(int vectors, int nearLights) const;
-  double totalSquare(int vectors, int nearLights, bool highBand) const;
+  double totalSquare(int vectors, int nearLights, bool highBand, int correctors = 0) const;
 
   OracleChoice cheapestSpatial(double target, const CostModel& cost) const;
-  OracleChoice cheapestTotal(double target, const CostModel& cost) const;
+  OracleChoice cheapestTotal(double target, const CostModel& cost, OracleTools tools = {}) const;
+
+  /// How many of the first `nearLights` a merging of compact groups (within `spread` of their distance from the object)
+  /// could save at most.
+  int mergeable(int nearLights, double spread) const;
 
  private:
   std::span<const float> rigRow(int vectors, int light) const;
-  template <class Square>
-  OracleChoice cheapest(double target, const CostModel& cost, int variants, Square square) const;
-
   const StudyFrame& frame_;
   int vectors_ = 0, lights_ = 0;
   std::size_t row_ = 0;
-  std::vector<float> rig_;   // (vectors + 1) x lights x row: irradiance of the rig with J vectors
-  std::vector<float> high_;  // lights x row
+  std::vector<float> rig_;        // (vectors + 1) x lights x row: irradiance of the rig with J vectors
+  std::vector<float> high_;       // lights x row
+  std::vector<float> corrector_;  // lights x row
   std::vector<int> spatialOrder_, totalOrder_;
   std::vector<double> exact_;
 };

@@ -55,6 +55,11 @@ void measure(StudyFrame& frame) {
 
 }  // namespace
 
+std::string StudyInput::label() const {
+  const auto last = [](const std::string& text) { return text.substr(text.find_last_of("/:") + 1); };
+  return last(scene) + (donor.empty() ? "" : " by " + last(donor));
+}
+
 std::vector<StudyInput> studyInputs(const std::string& data) {
   std::vector<StudyInput> inputs;
   for (const char* name : {"street", "stage", "dragon", "touch", "figure1"})
@@ -123,10 +128,9 @@ std::optional<Error> visitFrames(const StudyInput& input, int step, int points, 
       }
       runMean /= static_cast<double>(timeline.frames.size());
       if (runMean <= 0) continue;
-      const std::string name = object.name + " of " + input.scene.substr(input.scene.find_last_of("/:") + 1) +
-                               (timeline.clipName.empty() ? "" : " " + timeline.clipName) +
-                               (input.donor.empty() ? "" : " by " + input.donor.substr(7));
-      visitor.begin(name, {restBox, candidates}, runMean);
+      const std::string name =
+          object.name + " of " + input.label() + (timeline.clipName.empty() ? "" : ", " + timeline.clipName);
+      visitor.begin(input, name, {restBox, candidates}, runMean);
       for (int number : timeline.frames) {
         clock.pose(number);
         poseObject(*scene, object, clock.nodes, posed);

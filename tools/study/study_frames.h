@@ -13,6 +13,8 @@ namespace rigel::tools {
 struct StudyInput {
   std::string scene;
   std::string donor;  // of the lights, or "": the scene's own
+
+  std::string label() const;  // "Fox.glb by dragon"
 };
 
 /// Built-in scenes by their own lights; with a `data` folder of real assets (characters/, vehicles/, scenes/), those by
@@ -41,7 +43,7 @@ struct StudyFrame {
 class StudyVisitor {
  public:
   virtual ~StudyVisitor() = default;
-  virtual void begin(const std::string& name, const RigShape& rest, double runMean) = 0;
+  virtual void begin(const StudyInput& input, const std::string& name, const RigShape& rest, double runMean) = 0;
   virtual void frame(const StudyFrame& frame) = 0;
   virtual void end() = 0;
 };
