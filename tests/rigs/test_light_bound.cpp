@@ -27,6 +27,8 @@ struct Case {
   double medianSphere, medianPoint, medianSpot;  // largest allowed
 };
 
+void PrintTo(const Case& c, std::ostream* out) { *out << c.spec; }
+
 // Measured medians with RIGEL_FULL=1 are in rigs/README.md.
 const std::vector<Case> kCases = {
     {"constant", Domain::Kind::ball, 1.2, 1.2, 1.2},
