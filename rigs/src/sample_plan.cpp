@@ -229,7 +229,18 @@ Vec3 SamplePlanner::peakOfFalloff() const noexcept {
     both[a] = 0;
     cross[a] = q(both) - ahead[(a + 1) % 3] - ahead[(a + 2) % 3] + middle;
   }
+  // Where the gradient is zero, by Cramer's rule; then, if that is outside, down along the faces.
+  const double xx = 2 * square[0], yy = 2 * square[1], zz = 2 * square[2];
+  const auto& [yz, xz, xy] = cross;
+  const double determinant = xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz);
   std::array<double, 3> u{};
+  if (determinant > 0) {
+    const auto& [x, y, z] = linear;
+    u[0] = -(x * (yy * zz - yz * yz) - xy * (y * zz - yz * z) + xz * (y * yz - yy * z)) / determinant;
+    u[1] = -(xx * (y * zz - yz * z) - x * (xy * zz - yz * xz) + xz * (xy * z - y * xz)) / determinant;
+    u[2] = -(xx * (yy * z - y * yz) - xy * (xy * z - y * xz) + x * (xy * yz - yy * xz)) / determinant;
+    for (double& coordinate : u) coordinate = std::clamp(coordinate, -1.0, 1.0);
+  }
   for (int step = 0; step < 16; ++step) {
     for (int a = 0; a < 3; ++a) {
       const int b = (a + 1) % 3;
