@@ -5,8 +5,8 @@
 // extremes of their patches. Constant, gradient, lattice and mixed rigs: theorems (light_field.h, light_bound.cpp),
 // with a median of bound/true of 1.0 - 1.9 for point and sphere lights. Poly, @lsq and @gauss: the weights of the rig's
 // own operator times Chebyshev coefficients of the light (sample_bound.cpp), 2 - 16, checked rather than proven.
-// invquad: for the falloff the rig has when LightBounds is made (Rig::adapt); 0.2 % of lights are below the truth, by
-// up to a factor of four. Figures: rigs/README.md.
+// invquad: for the falloff the rig has when LightBounds is made (Rig::adapt); a few lights in ten thousand exceed
+// it, by up to a factor of two. Figures: rigs/README.md.
 #pragma once
 
 #include <rigel/light.h>
