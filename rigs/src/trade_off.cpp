@@ -9,8 +9,8 @@ namespace rigel {
 namespace {
 
 constexpr int kReferenceTerms = 6;  // a light's error is judged against a rig of this many coefficients
-constexpr int kMaxLevels = 48;
-constexpr float kLevelStep = 0.5f;  // log2
+// Levels reach down to this share of the largest error; a light below it stays in the rig.
+constexpr float kLeastLevel = 1e-12f;
 // A coefficient counts fully where the error without it is 1.3 times the target, not at all below 0.7 times.
 constexpr float kActivation = 0.1f;
 constexpr float kFadeFrom = 0.7f, kFadeWidth = 0.6f;
@@ -22,7 +22,7 @@ constexpr float kSoftness = 0.04f;
 constexpr float kLeastRoom = 0.04f;
 constexpr float kUnfit = 2000;  // ns a doubling of the target that a choice misses
 // Of the error of all lights left out; targets below it are held there.
-constexpr float kLeastTarget = 1e-6f;
+constexpr float kLeastTarget = 1e-12f;
 
 float smoothstep(float x) noexcept {
   x = std::clamp(x, 0.0f, 1.0f);
@@ -127,14 +127,17 @@ void TradeOff::build(const LightRows& rows, std::span<const float> damping, int 
   std::ranges::sort(sorted_, std::greater<>());
   floor_ = slots < rows.lights ? sorted_[slots] : 0;
 
-  const float largest = rows.lights > 0 && slots > 0 ? sorted_[0] : 0;
-  levels_.resize(kMaxLevels);
+  // Level n has the n largest in full. As many levels as lights, each continuous in the errors: none comes or goes as
+  // lights move.
+  const int most = std::min(slots, rows.lights);
+  const float largest = most > 0 ? sorted_[0] : 0;
   weights_.resize(rows.lights);
-  levelCount_ = 0;
-  while (levelCount_ < kMaxLevels) {
-    Level& level = levels_[levelCount_];
-    level.log2 = (largest > 0 ? std::log2(largest) : 0) - kLevelStep * static_cast<float>(levelCount_);
-    ++levelCount_;
+  levelCount_ = static_cast<std::size_t>(most) + 1;
+  if (levels_.size() < levelCount_) levels_.resize(levelCount_);
+  for (int n = 0; n <= most; ++n) {
+    Level& level = levels_[n];
+    const float error = n > 0 ? sorted_[n - 1] / (1 + kWindow) : largest;
+    level.log2 = largest > 0 ? std::log2(std::max({error, floor_, kLeastLevel * largest})) : 0;
     weightsAt(level.log2, weights_);
     farError(rows, damping, weights_, scratch_);
     level.beyond = scratch_.beyond;
@@ -142,12 +145,8 @@ void TradeOff::build(const LightRows& rows, std::span<const float> damping, int 
     level.truncationHigh = scratch_.truncationHigh;
     level.nearLights = 0;
     const float threshold = std::max(std::exp2(level.log2), floor_);
-    bool more = false;
-    for (int i = 0; i < rows.lights; ++i) {
+    for (int i = 0; i < rows.lights; ++i)
       if (threshold > 0 || error_[i] > 0) level.nearLights += threshold > 0 ? active(error_[i] / threshold - 1) : 1;
-      more = more || (weights_[i] < 1 && error_[i] > 2 * floor_);
-    }
-    if (!more) break;
   }
 }
 
