@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+
 namespace rigel::test {
 namespace {
 
@@ -62,6 +64,86 @@ TEST(ReportCommand, JsonHoldsTheFixedNames) {
     EXPECT_NEAR(rig["frames"][2]["time"].get<double>(), 20 / 30.0, 1e-9);
     EXPECT_EQ(rig["bytes"], 112 * rig["sh_vectors"].get<int>());
   }
+}
+
+TEST(ReportCommand, NearLightsLeaveTheRigAndLessError) {
+  const std::vector<std::string> arguments{"sample:street", "--frames", "40:60:4", "--rig", "poly:6"};
+  std::vector<std::string> near = arguments;
+  near.insert(near.end(), {"--near", "2"});
+  const json allFar = report(arguments), two = report(near);
+  const json& far = allFar["objects"][0]["rigs"][0];
+  const json& rig = two["objects"][0]["rigs"][0];
+  EXPECT_EQ(far["near_lights"], 0);
+  EXPECT_GT(rig["near_lights"].get<double>(), 1);
+  EXPECT_LE(rig["near_lights"].get<double>(), 2);
+  EXPECT_EQ(rig["asked"], "--near 2");
+  EXPECT_LT(rig["spatial"]["rms"].get<double>(), 0.6 * far["spatial"]["rms"].get<double>());
+  EXPECT_LT(rig["total"]["rms"].get<double>(), 0.6 * far["total"]["rms"].get<double>());
+  for (const json& frame : far["frames"]) EXPECT_TRUE(frame["near"].empty());
+  for (const json& frame : rig["frames"]) EXPECT_LE(frame["near"].size(), 2u);
+
+  const auto effects = two["effects"].get<std::vector<std::string>>();
+  EXPECT_THAT(effects, ::testing::Contains(::testing::StartsWith("light.near.")));
+  EXPECT_THAT(effects, ::testing::Not(::testing::Contains("rig.auto")));
+  EXPECT_THAT(allFar["effects"].get<std::vector<std::string>>(),
+              ::testing::Not(::testing::Contains(::testing::StartsWith("light.near."))));
+  EXPECT_FALSE(far["stages"].contains("choose")) << "nothing was chosen";
+  EXPECT_TRUE(rig["stages"].contains("choose"));
+}
+
+TEST(ReportCommand, EveryLightIsAccountedForInEveryFrame) {
+  const json document = report({"sample:stage", "--frames", "0:80:8", "--rig", "poly:6;auto", "--near", "auto"});
+  for (const json& rig : document["objects"][0]["rigs"]) {
+    const std::size_t frames = rig["frames"].size();
+    ASSERT_EQ(rig["lights"].size(), document["scenes"][0]["lights"].size());
+    double shares = 0;
+    for (const json& light : rig["lights"]) {
+      std::size_t counted = 0;
+      for (const char* role : {"near_frames", "blend_frames", "far_frames", "culled_frames"})
+        counted += light[role].get<std::size_t>();
+      EXPECT_EQ(counted, frames) << light["name"];
+      std::size_t weighed = 0;
+      for (const json& frame : rig["frames"])
+        for (const json& name : frame["near"]) weighed += name == light["name"] ? 1 : 0;
+      EXPECT_EQ(weighed, light["near_frames"].get<std::size_t>() + light["blend_frames"].get<std::size_t>());
+      EXPECT_FALSE(light["why"].get<std::string>().empty());
+      EXPECT_GE(light["bound"].get<double>(), 0);
+      shares += light["share"].get<double>();
+    }
+    EXPECT_NEAR(shares, 1, 1e-3) << rig["spec"];
+  }
+}
+
+TEST(ReportCommand, AutoRigsMeetTheirTargetAndSayWhatTheyTook) {
+  const auto rigFor = [](const char* target) {
+    return report({"sample:street", "--frames", "::8", "--rig", "auto", "--error", target})["objects"][0]["rigs"][0];
+  };
+  const json rough = rigFor("0.1"), fine = rigFor("0.02");
+  EXPECT_EQ(fine["asked"], "--near auto --error 0.02");
+  EXPECT_LT(rough["spatial"]["rms"].get<double>(), 0.1);
+  EXPECT_LT(fine["spatial"]["rms"].get<double>(), 0.02);
+  EXPECT_LT(rough["modelled_ns_per_point"].get<double>(), fine["modelled_ns_per_point"].get<double>());
+  for (const json& rig : {rough, fine}) {
+    double vectors = 0, squares = 0;
+    for (const json& frame : rig["frames"]) {
+      vectors += frame["sh_vectors"].get<double>();
+      squares += std::pow(frame["estimate"].get<double>(), 2);
+    }
+    const auto count = static_cast<double>(rig["frames"].size());
+    EXPECT_NEAR(rig["sh_vectors"].get<double>(), vectors / count, 1e-9);
+    EXPECT_NEAR(rig["estimate"].get<double>(), std::sqrt(squares / count), 1e-9);
+  }
+}
+
+TEST(ReportCommand, RateCountsFrames) {
+  const json at30 = report({"sample:touch", "--frames", "30:33", "--rig", "constant"});
+  const json at120 = report({"sample:touch", "--frames", "120:132", "--rate", "120", "--rig", "constant"});
+  EXPECT_EQ(at120["rate"], 120);
+  const json& slow = at30["objects"][0];
+  const json& fast = at120["objects"][0];
+  EXPECT_EQ(slow["truth"][3]["time"], fast["truth"][12]["time"]);
+  EXPECT_EQ(slow["truth"][3]["mean_irradiance"], fast["truth"][12]["mean_irradiance"]);
+  EXPECT_LT(fast["rigs"][0]["max_jump"].get<double>(), slow["rigs"][0]["max_jump"].get<double>());
 }
 
 TEST(ReportCommand, FiguresAreReproducible) {

@@ -105,7 +105,7 @@ std::map<std::string, Leap> leaps(const Section& section, int samples, double ra
 bool shrinks(double slow, double fast, double allowed) { return fast <= std::max(allowed * slow, kNoise); }
 
 double allowedFor(const Choice& choice, const Section& section) {
-  const bool contact = std::string_view(section.scene) == "touch" && choice.slots < kMaxNearLights;
+  const bool contact = std::string_view(section.scene) == "touch" && choice.slots == 2;
   return contact ? kAllowedInContact : test::fullRun() ? kAllowed : kAllowedInSection;
 }
 
