@@ -220,7 +220,7 @@ struct ObjectLighting<B>::State {
 
   void settle(const LightSet& lights, float target, float seconds, std::span<const std::uint32_t> ids,
               LightingProbe probe) {
-    const TradeOff::Request wanted = request(target);
+    const TradeOff::Request wanted = request(limitedTarget(target, seconds));
     TradeOff::Choice choice = tradeOff.choose(wanted);
     candidateWeights.resize(candidates.size());
     tradeOff.weightsAt(choice.level, candidateWeights);
@@ -253,6 +253,19 @@ struct ObjectLighting<B>::State {
                                         high.band > 0 ? 1.0f : 0.0f);
   }
 
+  /// A target moves by no more than kTargetRate e-folds a second: whoever spreads a budget over objects may find that
+  /// granting two of them any error between two values costs the same.
+  float limitedTarget(float target, float seconds) noexcept {
+    const bool cut = !(seconds > 0 && std::isfinite(seconds)) || fresh;
+    if (!cut && target > 0 && lastTarget > 0) {
+      const float step = std::exp(kTargetRate * seconds);
+      target = std::clamp(target, lastTarget / step, lastTarget * step);
+    }
+    fresh = false;
+    return lastTarget = target;
+  }
+
+  static constexpr float kTargetRate = 4;  // 1/s
   static constexpr float kTruncatedShare = 0.1f;  // of a light's peak that three bands miss
 
   LightingOptions options;
@@ -280,6 +293,8 @@ struct ObjectLighting<B>::State {
   HighBand high;
   float frameMean = 0;  // [W/m2] irradiance on the object, of all lights
   float nanoseconds = 0;
+  bool fresh = true;  // nothing to be continuous with
+  float lastTarget = 0;
   std::optional<float> spatialEstimate, totalEstimate;
 };
 
@@ -319,6 +334,7 @@ void ObjectLighting<B>::setPose(const RigPose& pose, const RigFrame& worldFromRi
 template <int B>
 void ObjectLighting<B>::reset() noexcept {
   state_->nearFar.reset();
+  state_->fresh = true;
 }
 
 template <int B>
