@@ -175,7 +175,8 @@ TradeOff::Choice TradeOff::choose(const Request& request) const {
     float objective, spatial, cap, nanoseconds;
   };
   const Level& all = levels_[0];
-  const float least = kLeastTarget * std::sqrt(all.beyond.front() + all.truncation);
+  const float everything = std::sqrt(all.beyond.front() + all.truncation);
+  const float least = kLeastTarget * everything;
   const auto over = [&](float square, float target) {
     return square > 0 ? std::sqrt(square) / std::max(target, least) : 0.0f;
   };
@@ -199,7 +200,8 @@ TradeOff::Choice TradeOff::choose(const Request& request) const {
       option.nanoseconds =
           nanoseconds(request.cost, request.vectors > 0 ? static_cast<float>(request.vectors) : vectors,
                       level.nearLights, high ? 1 : 0);
-      if (option.nanoseconds > request.value) option.objective *= 1 + option.nanoseconds - request.value;
+      // A nanosecond too many is worse than any error.
+      option.objective += everything * std::max(0.0f, option.nanoseconds - request.value);
       return option;
     }
     option.spatial = spatialRoom(request, truncation);
