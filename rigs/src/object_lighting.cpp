@@ -117,12 +117,13 @@ struct ObjectLighting<B>::State {
   void estimateFixed(const LightSet& lights, const LightSet& far) {
     check.rows.resize(0);
     check.describe(far, rig, 0);
-    tradeOff.farError(check.rows, {}, {}, farError);
+    tradeOff.farError(check.rows, check.damping(), {}, farError);
     for (int i = 0; i < lights.size(); ++i) {
       means[i] = lights.visit(i, [&](const auto& light) { return check.meanIrradiance(light); });
       frameMean += means[i];
     }
-    estimate(kFewPoints * farError.beyond[0], farError.truncation);
+    const float spatial = farError.beyond.back();  // all coefficients are in use
+    estimate(adaptive() ? spatial : kFewPoints * spatial, farError.truncation);
   }
 
   void estimate(float spatialSquare, float truncationSquare) {
