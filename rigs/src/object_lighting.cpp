@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "surface_check.h"
 
@@ -18,6 +19,8 @@ constexpr float kFewPoints = 1.35f;
 
 /// One figure for a colour: RMS over its channels, as errors are pooled.
 float magnitude(Rgb c) noexcept { return std::sqrt((c.r * c.r + c.g * c.g + c.b * c.b) / 3); }
+/// A light that is not a number contributes nothing.
+float orNothing(float x) noexcept { return x > 0 ? std::min(x, std::numeric_limits<float>::max()) : 0.0f; }
 Rgb colourOf(const DirectionalLight& l) noexcept { return l.irradiance; }
 Rgb colourOf(const PointLight& l) noexcept { return l.intensity; }
 Rgb colourOf(const SpotLight& l) noexcept { return l.intensity; }
@@ -72,8 +75,8 @@ struct ObjectLighting<B>::State {
       lights.visit(i, [&](const auto& light) {
         const LightBound bound = bounds(light);
         const float size = magnitude(colourOf(light));
-        errors[i] = bound.error * size;
-        peaks[i] = bound.peak * size;
+        errors[i] = orNothing(bound.error * size);
+        peaks[i] = orNothing(bound.peak * size);
         culled[i] = peaks[i] > 0 ? 0 : 1;
       });
     }
@@ -266,7 +269,7 @@ struct ObjectLighting<B>::State {
     return lastTarget = target;
   }
 
-  static constexpr float kTargetRate = 4;  // 1/s
+  static constexpr float kTargetRate = 4;         // 1/s
   static constexpr float kTruncatedShare = 0.1f;  // of a light's peak that three bands miss
 
   LightingOptions options;
