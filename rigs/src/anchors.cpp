@@ -2,7 +2,9 @@
 // "Clustering to minimize the maximum intercluster distance", 1985.
 #include "anchors.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace rigel {
@@ -34,6 +36,17 @@ std::vector<Vec3> farthestPoints(std::span<const Vec3> surface, int count) {
   return chosen;
 }
 
+/// The first and last points along each axis, each once; not more than `most`.
+std::vector<Vec3> endsOf(std::span<const Vec3> surface, int most) {
+  std::vector<Vec3> ends;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto [first, last] = std::ranges::minmax_element(surface, {}, [axis](Vec3 p) { return p[axis]; });
+    for (const Vec3 end : {*first, *last})
+      if (static_cast<int>(ends.size()) < most && std::ranges::find(ends, end) == ends.end()) ends.push_back(end);
+  }
+  return ends;
+}
+
 int nearest(std::span<const Vec3> centres, Vec3 p) noexcept {
   int best = 0;
   for (int i = 1; i < static_cast<int>(centres.size()); ++i)
@@ -43,7 +56,7 @@ int nearest(std::span<const Vec3> centres, Vec3 p) noexcept {
 
 }  // namespace
 
-Anchors chooseAnchors(std::span<const Vec3> surface, int count) {
+Anchors chooseAnchors(std::span<const Vec3> surface, int count, SurfaceEnds ends) {
   Anchors anchors;
   if (static_cast<int>(surface.size()) <= count) {
     for (int i = 0; i < static_cast<int>(surface.size()); ++i) anchors.index.push_back(i);
@@ -52,7 +65,10 @@ Anchors chooseAnchors(std::span<const Vec3> surface, int count) {
     return anchors;
   }
 
-  std::vector<Vec3> centres = farthestPoints(surface, count);
+  std::vector<Vec3> centres;
+  if (ends == SurfaceEnds::anchored) centres = endsOf(surface, count / 2);
+  const int fixed = static_cast<int>(centres.size());
+  std::ranges::copy(farthestPoints(surface, count - fixed), std::back_inserter(centres));
   std::vector<int> cluster(surface.size());
   std::vector<int> population(count);
   for (int iteration = 0; iteration < kIterations; ++iteration) {
@@ -63,7 +79,7 @@ Anchors chooseAnchors(std::span<const Vec3> surface, int count) {
       sum[cluster[i]] += surface[i];
       ++population[cluster[i]];
     }
-    for (int c = 0; c < count; ++c)
+    for (int c = fixed; c < count; ++c)
       if (population[c] > 0) centres[c] = sum[c] * (1 / static_cast<float>(population[c]));
   }
 

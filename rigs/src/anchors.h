@@ -15,8 +15,14 @@ struct Anchors {
   std::vector<float> radius;  // of a disc with the patch's spread: sqrt(2) times its rms distance from the anchor
 };
 
+/// Whether the ends of the surface, its extreme points along the axes, are anchors whatever their share.
+enum class SurfaceEnds {
+  represented,  // by the anchor of their patch: the best points for a fit
+  anchored,     // themselves: for who judges a fit by its anchors and must not have surface beyond them
+};
+
 /// `count` medoids of a k-means clustering of `surface` (all of it when it has no more points than that).
 /// Deterministic: starts from the farthest-point order. Cost count x points x iterations; allocates.
-Anchors chooseAnchors(std::span<const Vec3> surface, int count);
+Anchors chooseAnchors(std::span<const Vec3> surface, int count, SurfaceEnds ends = SurfaceEnds::represented);
 
 }  // namespace rigel

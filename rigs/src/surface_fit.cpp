@@ -9,7 +9,8 @@ namespace {
 
 /// Fills the model's anchors; returns the share of the area that each stands for.
 std::vector<float> setUpAnchors(Rig::Model& model, std::span<const Vec3> surface, int vectors, int points) {
-  Anchors chosen = chooseAnchors(surface, std::min(points, LeastSquares::kMaxPoints));
+  const SurfaceEnds ends = model.spec.adaptive ? SurfaceEnds::anchored : SurfaceEnds::represented;
+  Anchors chosen = chooseAnchors(surface, std::min(points, LeastSquares::kMaxPoints), ends);
   model.anchors = std::move(chosen.index);
   model.functionals = static_cast<int>(model.anchors.size());
   model.samples.resize(model.anchors.size());
