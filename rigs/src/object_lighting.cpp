@@ -100,6 +100,7 @@ struct ObjectLighting<B>::State {
       finish(probe, LightingStage::bound);
     }
     if (slots > 0) {
+      makeRoom(lights.size());
       nearFar.update(errors, ids, seconds);
       splitLights(lights, nearFar.weights(), farLights, near, culled);
       far = &farLights;
@@ -199,7 +200,22 @@ struct ObjectLighting<B>::State {
     for (float m : means) frameMean += m;
   }
 
+  /// Which lights are culled, looked at one by one or near changes from frame to frame; no more than all are.
+  void makeRoom(int count) {
+    if (count <= room) return;
+    room = count;
+    const int most = std::min(count, kCandidates);
+    check.rows.reserve(most);
+    tradeOff.reserve(check.rows, most);
+    candidates.reserve(count);
+    candidateWeights.reserve(most);
+    farLights.reserve(count);
+    some.reserve(count);
+    near.reserve(std::min(count, slots));
+  }
+
   void weigh(const LightSet& lights, LightingProbe probe) {
+    makeRoom(lights.size());
     boundLights(lights);
     finish(probe, LightingStage::bound);
     chooseCandidates();
@@ -293,6 +309,7 @@ struct ObjectLighting<B>::State {
   std::vector<float> coefficientWeights;
   std::vector<RadianceSH<B>> functionals, coefficients;
   int active = 0;  // of coefficients
+  int room = 0;    // lights there is room for
   std::vector<NearLight> near;
   HighBand high;
   float frameMean = 0;  // [W/m2] irradiance on the object, of all lights

@@ -20,7 +20,7 @@ constexpr float kWindow = 0.5f;
 constexpr float kSoftness = 0.04f;
 // Of the squared total target, left to the spatial part where truncation alone takes all of it.
 constexpr float kLeastRoom = 0.04f;
-constexpr float kUnfit = 2000;  // ns a doubling of the target that a choice misses
+constexpr float kUnfit = 300;  // ns a doubling of the target that a choice misses
 // Of the error of all lights left out; targets below it are held there.
 constexpr float kLeastTarget = 1e-12f;
 
@@ -60,6 +60,24 @@ void LightRows::resize(int lightCount) {
   truncation.resize((static_cast<std::size_t>(lights) + 1) * truncated);
   excess.resize(lights + 1);
   fade.resize(lights);
+}
+
+void LightRows::reserve(int lightCount) {
+  const std::size_t blocks = static_cast<std::size_t>(lightCount) + 1;
+  fields.reserve(blocks * block());
+  truncation.reserve(blocks * truncated);
+  excess.reserve(blocks);
+  fade.reserve(blocks);
+}
+
+void TradeOff::reserve(const LightRows& rows, int lightCount) {
+  const std::size_t levels = static_cast<std::size_t>(lightCount) + 1;
+  if (levels_.size() < levels) levels_.resize(levels);
+  for (Level& level : levels_) level.beyond.reserve(rows.nested + 1);
+  error_.reserve(levels);
+  sorted_.reserve(levels);
+  weights_.reserve(levels);
+  costs_.reserve(2 * levels);
 }
 
 void TradeOff::farError(const LightRows& rows, std::span<const float> damping, std::span<const float> weights,

@@ -36,6 +36,8 @@ struct LightRows {
   int rows() const noexcept { return nested + residuals; }
   std::size_t block() const noexcept { return static_cast<std::size_t>(rows()) * width; }
   void resize(int lightCount);
+  /// Room for as many lights, so that resize allocates nothing.
+  void reserve(int lightCount);
 };
 
 /// Mean-square errors [W/m2]^2 of the lights' rows weighted by 1 - w.
@@ -67,6 +69,8 @@ class TradeOff {
     float nanoseconds = 0;   // modelled, a point
   };
 
+  /// Room for as many lights, so that nothing else allocates.
+  void reserve(const LightRows& rows, int lightCount);
   /// `damping`: NestedFit's.
   void build(const LightRows& rows, std::span<const float> damping, int slots, bool total);
   Choice choose(const Request& request) const;

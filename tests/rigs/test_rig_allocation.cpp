@@ -1,5 +1,6 @@
 // A frame allocates nothing once everything has its size: counted by replacing the global allocator.
 #include <rigel/near_far.h>
+#include <rigel/object_lighting.h>
 
 #include "rig_fixture.h"
 
@@ -121,6 +122,64 @@ TEST(RigAllocation, NearAndFarLightsAllocateNothing) {
     if (frame > 0) counted += allocations - before;
   }
   EXPECT_EQ(counted, 0);
+}
+
+TEST(RigAllocation, ObjectLightingAllocatesNothingAfterItsFirstFrame) {
+  using Kind = LightingTarget::Kind;
+  const auto body = ellipsoid({}, {2, 0.5f, 0.5f}, 300);
+  const auto lightsAt = [](float t, int count, LightSet& lights) {
+    lights.clear();
+    lights.add(DirectionalLight{{0, -1, t}, {1, 1, 1}});
+    lights.add(SpotLight{{0, 4, t}, {0, -1, 0}, {30, 30, 30}});
+    for (int i = 0; i < count; ++i)
+      lights.add(
+          PointLight{{0.4f * static_cast<float>(i) - 8, 1 + 0.2f * t, 1}, {3, 4, 5}, 0.01f, i % 2 == 0 ? 6 : 60.0f});
+  };
+  struct Case {
+    std::string spec;
+    LightingTarget target;
+    int slots;
+  };
+  const std::vector<Case> cases = {{"poly:6", {}, 4},
+                                   {"constant", {}, 0},
+                                   {"invquad:6", {}, 2},
+                                   {"auto", {}, 2},
+                                   {"auto", {Kind::spatialError, 0.02f}, 0},
+                                   {"auto", {Kind::totalError, 0.03f}, 0},
+                                   {"auto", {Kind::totalError, 0.02f}, 2},
+                                   {"auto", {Kind::budget, 2000}, 0},
+                                   {"poly:6", {Kind::totalError, 0.03f}, 0}};
+  LightSet lights;
+  for (const auto& [spec, target, slots] : cases) {
+    LightingOptions options;
+    options.target = target;
+    options.nearSlots = slots;
+    options.estimate = true;
+    auto lighting = ObjectLighting<3>::create(specOf(spec), {boxOf(body), body}, options);
+    ASSERT_TRUE(lighting);
+    std::vector<Vec3> anchors(lighting->anchors().size());
+    long counted = 0;
+    for (int frame = 0; frame < 24; ++frame) {
+      const float t = static_cast<float>(frame);
+      // As many lights as ever in the first frame, in the last of each eight, and few or none between.
+      lightsAt(t, frame % 8 == 0 ? 60 : 60 - 10 * (frame % 8), lights);
+      for (std::size_t i = 0; i < anchors.size(); ++i) anchors[i] = body[lighting->anchors()[i]] + Vec3{0.2f * t, 0, 0};
+      const long before = allocations;
+      lighting->setPose({{{0.2f * t - 2, -0.5f, -0.5f}, {0.2f * t + 2, 0.5f, 0.5f}}, anchors}, {});
+      if (frame % 5 == 4) lighting->reset();
+      if (options.target.kind == Kind::spatialError && frame % 2 == 1) {
+        lighting->weigh(lights);
+        (void)lighting->costAt(0.1f);
+        lighting->settle(lights, 0.1f, 1.0f / 60);
+      } else {
+        lighting->light(lights, 1.0f / 60);
+      }
+      (void)lighting->shade({}, {0, 1, 0}, MaterialWrap<3>(0));
+      if (frame > 0) counted += allocations - before;
+    }
+    EXPECT_EQ(counted, 0) << spec << ", target " << static_cast<int>(options.target.kind) << ", slots "
+                          << options.nearSlots;
+  }
 }
 
 }  // namespace
