@@ -50,6 +50,7 @@ struct ObjectLighting<B>::State {
     functionals.resize(rig.projections());
     coefficients.resize(rig.shVectors());
     coefficientWeights.resize(check.rows.nested);
+    lastCoefficients.resize(check.rows.nested);
     std::vector<Vec3> posed;
     for (int i : anchors) posed.push_back(rest.surface[i]);
     setPose({rest.box, posed}, {});
@@ -240,31 +241,36 @@ struct ObjectLighting<B>::State {
 
   void settle(const LightSet& lights, float target, float seconds, std::span<const std::uint32_t> ids,
               LightingProbe probe) {
-    const TradeOff::Request wanted = request(limitedTarget(target, seconds));
-    TradeOff::Choice choice = tradeOff.choose(wanted);
-    candidateWeights.resize(candidates.size());
-    tradeOff.weightsAt(choice.level, candidateWeights);
+    const bool cut = fresh || !(seconds > 0 && std::isfinite(seconds));
+    fresh = false;
+    const TradeOff::Request wanted = request(cut ? lastTarget = target : limitedTarget(target, seconds));
+    tradeOff.choose(wanted, choice);
     lightWeights.assign(lights.size(), 0);
-    for (std::size_t i = 0; i < candidates.size(); ++i) lightWeights[candidates[i]] = candidateWeights[i];
-    nearFar.follow(lightWeights, ids, seconds, errors);
+    for (std::size_t i = 0; i < candidates.size(); ++i) lightWeights[candidates[i]] = choice.weights[i];
+    nearFar.follow(lightWeights, ids, seconds, peaks);
+    candidateWeights.resize(candidates.size());
     for (std::size_t i = 0; i < candidates.size(); ++i) candidateWeights[i] = nearFar.weights()[candidates[i]];
     splitLights(lights, nearFar.weights(), farLights, near, culled);
     tradeOff.farError(check.rows, check.damping(), candidateWeights, farError);
+    const float highBand =
+        cut ? choice.highBand : moved(choice.highBand, lastHighBand, nearFar.options().weightRate * seconds);
+    lastHighBand = highBand;
     // A band at weight w leaves (1-w)^2 of its energy.
-    const float removed = choice.highBand * (2 - choice.highBand);
+    const float removed = highBand * (2 - highBand);
     const float truncation = std::lerp(farError.truncation, farError.truncationHigh, removed);
     if (wanted.kind == LightingTarget::Kind::totalError)
       choice.spatialError = TradeOff::spatialRoom(wanted, truncation);
     finish(probe, LightingStage::choose);
 
     if (adaptive()) {
-      active = TradeOff::coefficientWeights(farError, choice, coefficientWeights);
+      TradeOff::coefficientWeights(farError, choice, coefficientWeights);
+      active = limitCoefficients(cut, seconds);
       check.nested()->synthesise(farError.field.data(), 3 * shCount(B), std::span(coefficientWeights).first(active),
                                  coefficients[0].data());
     } else {
       fitFar(farLights, {});
     }
-    check.highBand(farError.truncated, choice.highBand, high);
+    check.highBand(farError.truncated, highBand, high);
     finish(probe, LightingStage::fit);
     const float spatial = TradeOff::spatialSquare(check.rows, farError, check.damping(), coefficientWeights);
     estimate(adaptive() ? spatial : kFewPoints * spatial, truncation);
@@ -276,13 +282,26 @@ struct ObjectLighting<B>::State {
   /// A target moves by no more than kTargetRate e-folds a second: whoever spreads a budget over objects may find that
   /// granting two of them any error between two values costs the same.
   float limitedTarget(float target, float seconds) noexcept {
-    const bool cut = !(seconds > 0 && std::isfinite(seconds)) || fresh;
-    if (!cut && target > 0 && lastTarget > 0) {
+    if (target > 0 && lastTarget > 0) {
       const float step = std::exp(kTargetRate * seconds);
       target = std::clamp(target, lastTarget / step, lastTarget * step);
     }
-    fresh = false;
     return lastTarget = target;
+  }
+
+  static float moved(float to, float from, float step) noexcept { return std::clamp(to, from - step, from + step); }
+
+  /// Weights of coefficients move no faster than those of lights: the cheapest choice may change from one frame to the
+  /// next, and with it what is left for the rig to hold. Returns how many are not 0.
+  int limitCoefficients(bool cut, float seconds) noexcept {
+    const float step = nearFar.options().weightRate * seconds;
+    int used = 0;
+    for (std::size_t j = 0; j < coefficientWeights.size(); ++j) {
+      if (!cut) coefficientWeights[j] = moved(coefficientWeights[j], lastCoefficients[j], step);
+      lastCoefficients[j] = coefficientWeights[j];
+      if (coefficientWeights[j] > 0) used = static_cast<int>(j) + 1;
+    }
+    return used;
   }
 
   static constexpr float kTargetRate = 4;         // 1/s
@@ -294,6 +313,8 @@ struct ObjectLighting<B>::State {
   RigFrame frame;
   NearFar nearFar;
   TradeOff tradeOff;
+  TradeOff::Choice choice;
+  mutable TradeOff::Choice costing;  // of costAt
   std::vector<int> anchors;
   int slots = 0;
 
@@ -315,7 +336,8 @@ struct ObjectLighting<B>::State {
   float frameMean = 0;  // [W/m2] irradiance on the object, of all lights
   float nanoseconds = 0;
   bool fresh = true;  // nothing to be continuous with
-  float lastTarget = 0;
+  float lastTarget = 0, lastHighBand = 0;
+  std::vector<float> lastCoefficients;
   std::optional<float> spatialEstimate, totalEstimate;
 };
 
@@ -375,7 +397,8 @@ void ObjectLighting<B>::weigh(const LightSet& lights, LightingProbe probe) {
 }
 template <int B>
 float ObjectLighting<B>::costAt(float target) const {
-  return state_->tradeOff.choose(state_->request(target)).nanoseconds;
+  state_->tradeOff.choose(state_->request(target), state_->costing);
+  return state_->costing.nanoseconds;
 }
 template <int B>
 void ObjectLighting<B>::settle(const LightSet& lights, float target, float seconds, std::span<const std::uint32_t> ids,

@@ -16,6 +16,18 @@ constexpr float kLeastHeight = 0.0025f;
 /// Lambert has nothing in band 3; on materials that wrap, band 3 is the larger.
 int highBandOf(float wrap) noexcept { return wrap > 0 ? 3 : 4; }
 
+/// How much of a patch of radius rho, d away, a cone may light: the area of its circle, 0 where it misses the patch.
+float coneOnPatch(const SpotLight& light, Vec3 patch, float d, float rho) noexcept {
+  const float axis = length(light.direction);
+  if (!(axis > 0)) return 0;
+  const float cosine = d > 0 ? dot(light.direction, patch - light.position) / (axis * d) : 1.0f;
+  const float angle = std::acos(std::clamp(cosine, -1.0f, 1.0f));
+  const float seen = d > rho ? std::asin(rho / d) : static_cast<float>(kPi / 2);
+  const float x = std::clamp((light.outerAngle + seen - angle) / std::max(seen, 1e-6f), 0.0f, 1.0f);
+  const float t = light.outerAngle < static_cast<float>(kPi / 4) ? std::tan(light.outerAngle) : 1.0f;
+  return x * x * (3 - 2 * x) * t * t;
+}
+
 }  // namespace
 
 template <int B>
@@ -157,12 +169,21 @@ float SurfaceCheck<B>::excessOf(const Light& light) const noexcept {
       const float apart = x * x * (3 - 2 * x);
       const float h2 = std::max(std::lerp(std::max(r * d, kLeastHeight * rho * rho), d * d, apart), r * r);
       const float reach = std::max({d, rho, r});
+      const auto square = [&](const auto& of) {
+        const RadianceSH<B> sh = project<B>(of, point.position, rho);
+        float energy = 0;
+        for (int i = 0; i < kWidth; ++i) energy += rows.weight[i] * sh.data()[i] * sh.data()[i];
+        return energy;
+      };
       const float ratio = reach * reach / h2 * (reach * reach / (h2 + rho * rho)) - 1;
-      if (!(ratio > 0)) continue;
-      const RadianceSH<B> sh = project<B>(light, point.position, rho);
-      float square = 0;
-      for (int i = 0; i < kWidth; ++i) square += rows.weight[i] * sh.data()[i] * sh.data()[i];
-      sum += point.share * square * ratio;
+      if constexpr (std::is_same_v<Light, SpotLight>) {
+        // The circle that it lights may lie between points.
+        const PointLight whole{light.position, light.intensity, light.radius, light.range};
+        const float met = (1 - apart) * coneOnPatch(light, point.position, d, rho) * (ratio + 1);
+        sum += point.share * std::max(0.0f, met * square(whole) - square(light));
+      } else if (ratio > 0) {
+        sum += point.share * square(light) * ratio;
+      }
     }
     return sum;
   }

@@ -16,8 +16,10 @@ constexpr float kActivation = 0.1f;
 constexpr float kFadeFrom = 0.7f, kFadeWidth = 0.6f;
 // A light is far where its error is at most the level's, near where it is 1 + kWindow times that.
 constexpr float kWindow = 0.5f;
-// Costs within this share of the least one blend.
-constexpr float kSoftness = 0.04f;
+// Choices whose costs are within about this share of the least one blend, so that nothing flickers between them; not of
+// a budget, where a blend of two that are far apart is wrong by more than either. The rate limits of who carries the
+// choice out make both continuous in time.
+constexpr float kSoftness = 0.02f;
 // Of the squared total target, left to the spatial part where truncation alone takes all of it.
 constexpr float kLeastRoom = 0.04f;
 constexpr float kUnfit = 300;  // ns a doubling of the target that a choice misses
@@ -186,11 +188,11 @@ float TradeOff::spatialRoom(const Request& request, float truncation) {
   return std::sqrt(room) / request.spatialMargin;
 }
 
-TradeOff::Choice TradeOff::choose(const Request& request) const {
+void TradeOff::choose(const Request& request, Choice& choice) const {
   const bool budget = request.kind == LightingTarget::Kind::budget;
   const bool total = request.kind == LightingTarget::Kind::totalError;
   struct Option {
-    float objective, spatial, cap, nanoseconds;
+    float objective, spatial, cap, vectors, nanoseconds;
   };
   const Level& all = levels_[0];
   const float everything = std::sqrt(all.beyond.front() + all.truncation);
@@ -200,7 +202,7 @@ TradeOff::Choice TradeOff::choose(const Request& request) const {
   };
   // What one level costs, with and without the high band; for a budget, how wrong it is.
   const auto look = [&](const Level& level, bool high) {
-    Option option{0, 0, static_cast<float>(level.beyond.size()) - 1, 0};
+    Option option{0, 0, static_cast<float>(level.beyond.size()) - 1, 0, 0};
     const float truncation = high ? level.truncationHigh : level.truncation;
     const auto most = level.beyond.size() - 1;
     if (budget) {
@@ -213,7 +215,7 @@ TradeOff::Choice TradeOff::choose(const Request& request) const {
       const float spatial =
           whole < most ? std::lerp(level.beyond[whole], level.beyond[whole + 1], part) : level.beyond[most];
       option.spatial = 0;
-      option.cap = vectors;
+      option.cap = option.vectors = vectors;
       option.objective = std::sqrt(spatial + truncation);
       option.nanoseconds =
           nanoseconds(request.cost, request.vectors > 0 ? static_cast<float>(request.vectors) : vectors,
@@ -229,6 +231,7 @@ TradeOff::Choice TradeOff::choose(const Request& request) const {
       for (std::size_t j = 0; j < most; ++j) vectors += active(over(level.beyond[j], option.spatial) - kFadeFrom);
     }
     missed = std::max(missed, over(level.beyond[most], option.spatial));
+    option.vectors = vectors;
     option.nanoseconds = nanoseconds(request.cost, vectors, level.nearLights, high ? 1 : 0);
     option.objective = option.nanoseconds + kUnfit * std::log2(std::max(missed, 1.0f));
     return option;
@@ -242,30 +245,44 @@ TradeOff::Choice TradeOff::choose(const Request& request) const {
       costs_.push_back(look(levels_[l], v == 1).objective);
       cheapest = std::min(cheapest, costs_.back());
     }
-  Choice choice;
-  float sum = 0;
-  const float softness = kSoftness * (budget ? cheapest : cheapest + 10);
+  // The average is over the number of near lights. A likely choice of one and a likely choice of nine meet at five,
+  // which costs about as much as either, where half of both would cost the sum.
+  float sum = 0, number = 0, high = 0;
+  const float softness = budget ? 0 : kSoftness * (cheapest + 10);
   for (std::size_t i = 0; i < costs_.size(); ++i) {
-    const float p =
+    const float likeness =
         softness > 0 ? std::exp((cheapest - costs_[i]) / softness) : static_cast<float>(costs_[i] == cheapest);
-    if (p < 1e-6f) continue;
-    const Level& level = levels_[i / variants];
-    const Option option = look(level, i % variants == 1);
-    sum += p;
-    choice.level += p * level.log2;
-    choice.highBand += p * static_cast<float>(i % variants);
-    choice.spatialError += p * option.spatial;
-    choice.vectorCap += p * option.cap;
-    choice.nanoseconds += p * option.nanoseconds;
+    sum += likeness;
+    number += likeness * static_cast<float>(i / variants);
+    if (i % variants == 1) high += likeness;
   }
-  if (sum > 0) {
-    choice.level /= sum;
-    choice.highBand = smoothstep(2 * choice.highBand / sum - 0.5f);
-    choice.spatialError /= sum;
-    choice.vectorCap /= sum;
-    choice.nanoseconds /= sum;
+  number /= sum;
+  choice.highBand = smoothstep(2 * high / sum - 0.5f);
+  const float highCounted = std::clamp(1 + (high / sum - 0.25f) / kActivation, 0.0f, 1.0f);
+
+  const auto below = std::min(static_cast<std::size_t>(number), levelCount_ - 1);
+  const auto above = std::min(below + 1, levelCount_ - 1);
+  const float part = number - static_cast<float>(below);
+  // The next light is counted in full before its weight rises.
+  const float counted = std::min(1.0f, part / kActivation);
+  const float share = std::max(0.0f, (part - kActivation) / (1 - kActivation));
+  choice.weights.resize(error_.size());
+  weightsAt(levels_[below].log2, choice.weights);
+  weightsAt(levels_[above].log2, weights_);
+  for (std::size_t j = 0; j < weights_.size(); ++j)
+    choice.weights[j] = std::lerp(choice.weights[j], weights_[j], share);
+
+  const float near = std::lerp(levels_[below].nearLights, levels_[above].nearLights, counted);
+  const Option few = look(levels_[below], high > 0.5f * sum), many = look(levels_[above], high > 0.5f * sum);
+  choice.spatialError = std::lerp(few.spatial, many.spatial, part);
+  choice.vectorCap = few.cap;
+  float vectors = std::lerp(few.vectors, many.vectors, part);
+  if (budget && request.vectors == 0) {
+    const float spare = request.value - nanoseconds(request.cost, 0, near, highCounted) - request.cost.base;
+    choice.vectorCap = std::clamp(spare / request.cost.vector, 0.0f, static_cast<float>(all.beyond.size()) - 1);
+    vectors = choice.vectorCap;
   }
-  return choice;
+  choice.nanoseconds = nanoseconds(request.cost, vectors, near, highCounted);
 }
 
 int TradeOff::coefficientWeights(const FarError& error, const Choice& choice, std::span<float> weights) {

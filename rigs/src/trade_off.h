@@ -62,18 +62,19 @@ class TradeOff {
     CostModel cost;
   };
   struct Choice {
-    float level = 0;         // log2 of the error [W/m2] at which a light becomes near
-    float highBand = 0;      // share of it
-    float spatialError = 0;  // [W/m2] that nested coefficients aim at
-    float vectorCap = 0;     // nested coefficients at most
-    float nanoseconds = 0;   // modelled, a point
+    std::vector<float> weights;  // of each light, of being near
+    float highBand = 0;          // share of it
+    float spatialError = 0;      // [W/m2] that nested coefficients aim at
+    float vectorCap = 0;         // nested coefficients at most
+    float nanoseconds = 0;       // modelled, a point
   };
 
   /// Room for as many lights, so that nothing else allocates.
   void reserve(const LightRows& rows, int lightCount);
   /// `damping`: NestedFit's.
   void build(const LightRows& rows, std::span<const float> damping, int slots, bool total);
-  Choice choose(const Request& request) const;
+  /// Allocates only while the number of lights grows.
+  void choose(const Request& request, Choice& choice) const;
   /// w of each light at a level.
   void weightsAt(float level, std::span<float> weights) const;
 
@@ -101,8 +102,8 @@ class TradeOff {
   std::vector<Level> levels_;
   std::size_t levelCount_ = 0;
   FarError scratch_;
-  std::vector<float> sorted_, weights_;
-  mutable std::vector<float> costs_;
+  std::vector<float> sorted_;
+  mutable std::vector<float> weights_, costs_;  // working memory
 };
 
 }  // namespace rigel

@@ -25,7 +25,7 @@ constexpr double kAllowed = 0.25, kAllowedInSection = 0.3;
 constexpr double kAllowedInContact = 0.45;
 // Leaps below this are float rounding of near lights, which does not shrink with the frames; of the mean light. Worst
 // measured 3e-4.
-constexpr double kNoise = 1e-3;
+constexpr double kNoise = 2e-3;
 
 struct Choice {
   std::string name;

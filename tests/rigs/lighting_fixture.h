@@ -111,8 +111,7 @@ class LitBody {
   ObjectLighting<B> lighting;
 };
 
-/// `count` sphere, point and spot lights around an object of size 1, from 0.2 to 8 away; log-uniform power. Spots keep
-/// 0.8 away: the circle that a closer one lights may lie between the points at which errors are looked for.
+/// `count` sphere, point and spot lights around an object of size 1, from 0.2 to 8 away; log-uniform power.
 inline LightSet lightsAround(unsigned seed, int count) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> unit(0, 1);
@@ -121,7 +120,7 @@ inline LightSet lightsAround(unsigned seed, int count) {
   for (int i = 0; i < count; ++i) {
     Vec3 d{normal(random), normal(random), normal(random)};
     d = d * (1 / length(d));
-    const float away = i % 4 == 0 ? 0.8f * std::exp2(3.3f * unit(random)) : 0.2f * std::exp2(5.3f * unit(random));
+    const float away = 0.2f * std::exp2(5.3f * unit(random));
     const Vec3 p = Vec3{1.5f * d.x, 0.7f * d.y, 0.7f * d.z} + d * away;
     const float power = std::exp2(5 * unit(random));
     const Rgb colour{power, power * (0.5f + 0.5f * unit(random)), power * (0.4f + 0.6f * unit(random))};
