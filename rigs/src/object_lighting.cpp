@@ -210,6 +210,8 @@ struct ObjectLighting<B>::State {
     tradeOff.reserve(check.rows, most);
     candidates.reserve(count);
     candidateWeights.reserve(most);
+    choice.weights.reserve(most);
+    costing.weights.reserve(most);
     farLights.reserve(count);
     some.reserve(count);
     near.reserve(std::min(count, slots));
