@@ -58,22 +58,26 @@ Vector10 coefficientsOf(const Eigen::Matrix4d& q) noexcept {
 }
 
 /// The nearest of the matrices D + tau diag(-1, -1, -1, 3) with D positive definite, tau >= 0 as large as q is concave.
-/// Positive where |u|^2 <= 3, and so in the box. Every step is continuous in `q`.
-Eigen::Matrix4d madePositive(Eigen::Matrix4d q) noexcept {
+/// At least `least` > 0, D's least eigenvalue, where |u|^2 <= 3, and so in the box. Every step is continuous in `q`.
+Eigen::Matrix4d madePositive(Eigen::Matrix4d q, double& least) noexcept {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> curvature(q.topLeftCorner<3, 3>(), Eigen::EigenvaluesOnly);
   const double tau = std::clamp(-curvature.eigenvalues()(0), 0.0, kBend * std::max(q(3, 3), 0.0));
   const Eigen::Vector4d ball(-tau, -tau, -tau, 3 * tau);
   q.diagonal() -= ball;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> eigen(q);
-  const double least = kLeast * eigen.eigenvalues().cwiseAbs().maxCoeff();
-  q = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(least).asDiagonal() * eigen.eigenvectors().transpose();
+  const double allowed = kLeast * eigen.eigenvalues().cwiseAbs().maxCoeff();
+  least = std::max(allowed, eigen.eigenvalues()(0));
+  q = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(allowed).asDiagonal() * eigen.eigenvectors().transpose();
   q.diagonal() += ball;
   return q;
 }
 
 }  // namespace
 
-void Falloff::reset() noexcept { coefficient_ = {0, 0, 0, 0, 0, 0, 0, 0, 0, 1}; }
+void Falloff::reset() noexcept {
+  coefficient_ = {0, 0, 0, 0, 0, 0, 0, 0, 0, 1};
+  least_ = 1;
+}
 
 void Falloff::fit(std::span<const Vec3> u, std::span<const float> weight, std::span<const double> strength) noexcept {
   reset();
@@ -100,13 +104,16 @@ void Falloff::fit(std::span<const Vec3> u, std::span<const float> weight, std::s
   Vector10 c = Vector10::Zero();
   c(9) = 1;
   Vector10 gap = Vector10::Zero();
+  double least = 1;
   for (int round = 0; round < kRounds; ++round) {
     const Vector10 solved = factor.solve(right + kHold * (c - gap));
-    c = coefficientsOf(madePositive(symmetric(solved + gap)));
+    c = coefficientsOf(madePositive(symmetric(solved + gap), least));
     gap += solved - c;
   }
   if (!c.allFinite()) return;
   for (int i = 0; i < 10; ++i) coefficient_[i] = static_cast<float>(c(i));
+  constexpr double kRounded = 0.99;  // ten coefficients as floats, against kLeast
+  least_ = kRounded * least;
 }
 
 }  // namespace rigel

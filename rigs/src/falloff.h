@@ -32,8 +32,12 @@ class Falloff {
   /// Of uu, vv, ww, uv, uw, vw, u, v, w, 1 (u, v, w box coordinates).
   const std::array<float, 10>& coefficients() const noexcept { return coefficient_; }
 
+  /// No more than the smallest q in the box, > 0.
+  double least() const noexcept { return least_; }
+
  private:
   std::array<float, 10> coefficient_;
+  double least_;
 };
 
 }  // namespace rigel

@@ -23,6 +23,9 @@ class Rig::PolyModel final : public Rig::Model {
   void adapt(std::span<const float> light, int width) noexcept override;
   void basis(Vec3 p, RigBasis& out) const noexcept override;
 
+  /// Of the moment; 1 but for invquad.
+  const Falloff& falloff() const noexcept { return falloff_; }
+
  private:
   /// A monomial as an earlier one times a coordinate, so that all are found with one product each.
   struct Term {

@@ -1,6 +1,7 @@
 #include "sample_plan.h"
 
-#include "model.h"
+#include "falloff_weights.h"
+#include "poly_model.h"
 
 #include <algorithm>
 #include <cmath>
@@ -84,6 +85,12 @@ void SamplePlanner::readSpan(BoundPlan& plan) noexcept {
     };
     const auto ratio = [&](int a, int k) { return degree(at[a].value[k] / at[a].value[0]); };
     for (int k = 0; k < at[0].count; ++k) watch(ratio(0, k), ratio(1, k), ratio(2, k));
+    if (spec.falloff) {
+      // It spans 1/q times these; what it makes of linear light tells how far it is from that.
+      std::copy_n(watch_.begin(), watched_, span_.begin());
+      watched_ = 0;
+      for (const int axis : {-1, 0, 1, 2}) watch(axis == 0, axis == 1, axis == 2);
+    }
     return;
   }
   const auto& axes = rig_.axes();
@@ -168,22 +175,10 @@ void SamplePlanner::probeAll(SamplePlan& samples) noexcept {
   for (const RigSample& sample : rig_.samples()) probe(sample.position, samples);
   // The first probes are the farthest of each patch; few anchors can afford all.
   constexpr int kAffordable = 24;
-  const int affordable = rig_.spec().falloff ? samples.probes : std::max(samples.samples, kAffordable);
+  const int affordable = std::max(samples.samples, kAffordable);
   for (int i = 0; i < std::min(samples.probes, affordable); ++i) {
     const auto& [x, y, z] = samples.probe[i];
     probe({x, y, z}, samples);
-  }
-  if (rig_.spec().falloff) {
-    // Weights change fastest around the peak of the falloff.
-    const Vec3 peak = peakOfFalloff();
-    probe(peak, samples);
-    for (int a = 0; a < 3; ++a) {
-      for (const float step : {-0.3f, -0.1f, 0.1f, 0.3f}) {
-        Vec3 p = peak;
-        p[a] = std::clamp(p[a] + step * (box.hi[a] - box.lo[a]), box.lo[a], box.hi[a]);
-        probe(p, samples);
-      }
-    }
   }
   // The surface touches every face of the box, and along an axis that the rig knows nothing of the error is largest
   // there.
@@ -197,59 +192,70 @@ void SamplePlanner::probeAll(SamplePlan& samples) noexcept {
   }
 }
 
-Vec3 SamplePlanner::peakOfFalloff() const noexcept {
-  // The first basis function is 1/q; q is a convex quadratic, known from ten of its values.
-  const auto place = [&](const std::array<double, 3>& u) {
-    Vec3 p;
-    for (int a = 0; a < 3; ++a)
-      p[a] = static_cast<float>(centre_[a] + (inverseHalf_[a] > 0 ? u[a] / inverseHalf_[a] : 0.0));
-    return p;
+int SamplePlanner::errorsOfLinear(const Falloff& falloff, std::span<Degrees> monomials,
+                                  std::span<double> coefficients) const noexcept {
+  // q times the rig's error about T is q P T - q T: P T of the span, and a cubic.
+  const std::span<const float> op = rig_.model_->op.weight;
+  const int samples = static_cast<int>(rig_.samples().size());
+  int count = 0;
+  const auto row = [&](const Degrees& m) {
+    int i = 0;
+    while (i < count && monomials[i] != m) ++i;
+    if (i == count) {
+      monomials[count++] = m;
+      std::fill_n(&coefficients[i * kLinear], kLinear, 0.0);
+    }
+    return coefficients.subspan(i * kLinear, kLinear);
   };
-  const auto q = [&](const std::array<double, 3>& u) {
-    RigBasis basis;
-    rig_.basis(place(u), basis);
-    return 1 / std::max(static_cast<double>(basis.value[0]), 1e-30);
-  };
-  const auto unit = [](int a, double x) {
-    std::array<double, 3> u{};
-    u[a] = x;
-    return u;
-  };
-  const double middle = q({});
-  std::array<double, 3> ahead{}, linear{}, square{};
-  for (int a = 0; a < 3; ++a) {
-    ahead[a] = q(unit(a, 1));
-    const double behind = q(unit(a, -1));
-    linear[a] = (ahead[a] - behind) / 2;
-    square[a] = (ahead[a] + behind) / 2 - middle;
+  for (int k = 0; k < rig_.shVectors(); ++k) {
+    const std::span<double> to = row(span_[k]);
+    for (int s = 0; s < samples; ++s)
+      for (int t = 0; t < watched_; ++t)
+        to[t] += static_cast<double>(op[k * samples + s]) * static_cast<double>(atSample_[s][t]);
   }
-  std::array<double, 3> cross{};  // of the axes other than a
-  for (int a = 0; a < 3; ++a) {
-    std::array<double, 3> both{1, 1, 1};
-    both[a] = 0;
-    cross[a] = q(both) - ahead[(a + 1) % 3] - ahead[(a + 2) % 3] + middle;
-  }
-  // Where the gradient is zero, by Cramer's rule; then, if that is outside, down along the faces.
-  const double xx = 2 * square[0], yy = 2 * square[1], zz = 2 * square[2];
-  const auto& [yz, xz, xy] = cross;
-  const double determinant = xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz);
-  std::array<double, 3> u{};
-  if (determinant > 0) {
-    const auto& [x, y, z] = linear;
-    u[0] = -(x * (yy * zz - yz * yz) - xy * (y * zz - yz * z) + xz * (y * yz - yy * z)) / determinant;
-    u[1] = -(xx * (y * zz - yz * z) - x * (xy * zz - yz * xz) + xz * (xy * z - y * xz)) / determinant;
-    u[2] = -(xx * (yy * z - y * yz) - xy * (xy * z - y * xz) + x * (xy * yz - yy * xz)) / determinant;
-    for (double& coordinate : u) coordinate = std::clamp(coordinate, -1.0, 1.0);
-  }
-  for (int step = 0; step < 16; ++step) {
-    for (int a = 0; a < 3; ++a) {
-      const int b = (a + 1) % 3;
-      const int c = (a + 2) % 3;
-      const double slope = linear[a] + cross[c] * u[b] + cross[b] * u[c];
-      u[a] = square[a] > 0 ? std::clamp(-slope / (2 * square[a]), -1.0, 1.0) : slope > 0 ? -1.0 : 1.0;
+  constexpr std::array<Degrees, 10> kOfFalloff{
+      {{2, 0, 0}, {0, 2, 0}, {0, 0, 2}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}}};
+  for (int i = 0; i < 10; ++i) {
+    for (int t = 0; t < watched_; ++t) {
+      Degrees m = kOfFalloff[i];
+      for (int a = 0; a < 3; ++a) m[a] = static_cast<std::uint8_t>(m[a] + watch_[t][a]);
+      row(m)[t] -= static_cast<double>(falloff.coefficients()[i]);
     }
   }
-  return place(u);
+  return count;
+}
+
+void SamplePlanner::coverFalloff(SamplePlan& samples) noexcept {
+  const Falloff& falloff = static_cast<const Rig::PolyModel&>(*rig_.model_).falloff();
+  const FalloffWeights bounds(falloff);
+  const FalloffWeights::Polynomials<float> weights{std::span(span_).first(rig_.shVectors()), rig_.model_->op.weight,
+                                                   samples.samples};
+  std::array<Degrees, RigBasis::kCapacity + 20> monomials;
+  std::array<double, kLinear * monomials.size()> coefficients;
+  const auto count = static_cast<std::size_t>(errorsOfLinear(falloff, monomials, coefficients));
+  const FalloffWeights::Polynomials<double> errors{std::span(monomials).first(count), coefficients, kLinear};
+
+  std::array<float, kMax> most{};
+  std::array<double, kLinear> defect{};
+  const auto cover = [&](const std::array<float, 3>& p) {
+    WeightCell cell;
+    for (int a = 0; a < 3; ++a) {
+      const double u = (static_cast<double>(p[a]) - centre_[a]) * inverseHalf_[a];
+      const double reach = static_cast<double>(samples.cover) * inverseHalf_[a];
+      const double lo = std::clamp(u - reach, -1.0, 1.0);
+      const double hi = std::clamp(u + reach, -1.0, 1.0);
+      cell.centre[a] = (lo + hi) / 2;
+      cell.half[a] = (hi - lo) / 2;
+    }
+    bounds.divide(cell, [&](const WeightCell& part) {
+      lebesgue_ = std::max(lebesgue_, bounds.raise<float>(part, weights, most));
+      bounds.raise<double>(part, errors, defect);
+    });
+  };
+  for (int i = 0; i < samples.samples; ++i) cover({samples.sample[i].x, samples.sample[i].y, samples.sample[i].z});
+  for (int i = 0; i < samples.probes; ++i) cover(samples.probe[i]);
+  for (int i = 0; i < samples.samples; ++i) samples.sample[i].weight = most[i];
+  for (int t = 0; t < watched_; ++t) defect_[t] = static_cast<float>(defect[t]);
 }
 
 void SamplePlanner::placeProbes(SamplePlan& samples) const noexcept {
@@ -302,21 +308,25 @@ bool SamplePlanner::plan(BoundPlan& plan, SamplePlan& samples) noexcept {
   readSpan(plan);
   spanned_ = {watches(1, 0, 0), watches(0, 1, 0), watches(0, 0, 1)};
   plan.linear = spanned_[0] && spanned_[1] && spanned_[2] && !rig_.spec().falloff;
-  if (plan.polynomial) watchBeyond();
+  if (plan.polynomial && !rig_.spec().falloff) watchBeyond();
   for (int t = 0; t < watched_; ++t) degree_ = std::max<int>(degree_, std::ranges::max(watch_[t]));
   samples.degree = std::min(degree_ + 1, SamplePlan::kMaxDegree);
   for (int i = 0; i < samples.samples; ++i) {
     const SamplePlan::Sample& at = samples.sample[i];
     valuesAt({at.x, at.y, at.z}, atSample_[i]);
   }
-  probeAll(samples);
-  lebesgue_ *= kBetweenProbes;
+  const auto between = rig_.spec().falloff ? 1.0f : static_cast<float>(kBetweenProbes);
+  if (rig_.spec().falloff) {
+    coverFalloff(samples);
+  } else {
+    probeAll(samples);
+    lebesgue_ *= static_cast<double>(between);
+  }
   plan.lebesgue = lebesgue_;
   plan.offset = defect_[0] > 1e-4f ? static_cast<double>(defect_[0]) : 0.0;
   if (plan.polynomial) listBoundary(samples);
   for (int t = 0; t < watched_ && samples.terms < SamplePlan::kMaxTerms; ++t)
-    samples.term[samples.terms++] = {watch_[t], static_cast<float>(kBetweenProbes) * defect_[t] * mixing(watch_[t]),
-                                     true};
+    samples.term[samples.terms++] = {watch_[t], between * defect_[t] * mixing(watch_[t]), true};
   return true;
 }
 

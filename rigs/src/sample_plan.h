@@ -1,6 +1,8 @@
 // What the bounds need of rigs whose samples are anywhere: poly, @lsq and @gauss.
 #pragma once
 
+#include "falloff.h"
+
 #include <rigel/light_bound.h>
 
 namespace rigel {
@@ -16,6 +18,7 @@ class SamplePlanner {
  private:
   static constexpr int kMax = detail::SamplePlan::kMaxSamples;
   static constexpr int kMaxWatched = 96;
+  static constexpr int kLinear = 4;  // 1, x, y, z
   using Degrees = std::array<std::uint8_t, 3>;
   using Values = std::array<float, kMaxWatched>;
 
@@ -26,16 +29,19 @@ class SamplePlanner {
   void valuesAt(const std::array<float, 3>& p, Values& out) const noexcept;
   void probe(Vec3 p, detail::SamplePlan& samples) noexcept;
   void probeAll(detail::SamplePlan& samples) noexcept;
-  Vec3 peakOfFalloff() const noexcept;
+  int errorsOfLinear(const Falloff& falloff, std::span<Degrees> monomials,
+                     std::span<double> coefficients) const noexcept;
+  void coverFalloff(detail::SamplePlan& samples) noexcept;
   void placeProbes(detail::SamplePlan& samples) const noexcept;
   void listBoundary(detail::SamplePlan& samples) const noexcept;
 
   const Rig& rig_;
   std::array<double, 3> centre_{}, inverseHalf_{};
-  int watched_ = 0;                         // products of Chebyshev polynomials whose error is measured
-  std::array<Degrees, kMaxWatched> watch_;  // their degrees: first those of the span, then some beyond
-  int degree_ = 1;                          // largest of them
-  Values defect_{};                         // largest error of the rig about each
+  int watched_ = 0;                                // products of Chebyshev polynomials whose error is measured
+  std::array<Degrees, kMaxWatched> watch_;         // their degrees: first those of the span, then some beyond
+  std::array<Degrees, RigBasis::kCapacity> span_;  // of an invquad rig's polynomial
+  int degree_ = 1;                                 // largest of them
+  Values defect_{};                                // largest error of the rig about each
   std::array<Values, kMax> atSample_;
   double lebesgue_ = 1;
   std::array<bool, 3> spanned_{};  // the functions x, y, z

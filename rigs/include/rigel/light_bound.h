@@ -5,8 +5,8 @@
 // extremes of their patches. Constant, gradient, lattice and mixed rigs: theorems (light_field.h, light_bound.cpp),
 // with a median of bound/true of 1.0 - 1.9 for point and sphere lights. Poly, @lsq and @gauss: the weights of the rig's
 // own operator times Chebyshev coefficients of the light (sample_bound.cpp), 2 - 16, checked rather than proven.
-// invquad: for the falloff the rig has when LightBounds is made (Rig::adapt); a few lights in ten thousand exceed
-// it, by up to a factor of two. Figures: rigs/README.md.
+// invquad: for the falloff the rig has when LightBounds is made (Rig::adapt); its weights are bounded by theorem
+// (falloff_weights.h), which is loose. Figures: rigs/README.md.
 #pragma once
 
 #include <rigel/light.h>
@@ -90,9 +90,9 @@ struct BoundPlan {
 }  // namespace detail
 
 /// The bounds of one rig in one pose. Made once a frame and object: 0.2 us, for poly, @lsq and @gauss 7 to 70 us (K 6
-/// to 20). A light costs 70 - 160 ns (spot 170 - 310), of poly, @lsq and @gauss 230 - 500 (spot 330 - 600); a
-/// projection takes 42 - 66. Nothing allocates. Results are finite, continuous in the light and the pose, and 0 for
-/// lights that hold a NaN or are infinitely far.
+/// to 20), for invquad up to 1 ms. A light costs 70 - 160 ns (spot 170 - 310), of poly, @lsq and @gauss 230 - 500 (spot
+/// 330 - 600); a projection takes 42 - 66. Nothing allocates. Results are finite, continuous in the light and the pose,
+/// and 0 for lights that hold a NaN or are infinitely far.
 class LightBounds {
  public:
   /// `wrap` is that of the object's materials (the one with the larger bound where they differ). `radius` [m]: of a
