@@ -89,26 +89,28 @@ double FalloffWeights::raise(const WeightCell& part, const Polynomials<Float>& g
                              std::span<Float> most) const noexcept {
   constexpr int kMax = detail::SamplePlan::kMaxSamples;
   const double inverse = 1 / leastOver(part);
-  std::array<Float, kMax> size{};
+  const auto columns = static_cast<std::size_t>(g.columns);
+  std::array<Float, kMax> size, coefficient;  // of the columns
+  std::fill_n(size.begin(), columns, Float{});
   int degree = 0;
   for (const Degrees& m : g.monomials) degree = std::max<int>(degree, std::ranges::max(m));
   const Expansion x(part.centre[0], part.half[0], degree);
   const Expansion y(part.centre[1], part.half[1], degree);
   const Expansion z(part.centre[2], part.half[2], degree);
   for (const Degrees& alpha : g.monomials) {
-    std::array<Float, kMax> coefficient{};
+    std::fill_n(coefficient.begin(), columns, Float{});
     for (std::size_t k = 0; k < g.monomials.size(); ++k) {
       const Degrees& m = g.monomials[k];
       if (m[0] < alpha[0] || m[1] < alpha[1] || m[2] < alpha[2]) continue;
       const double factor = inverse * x(m[0], alpha[0]) * y(m[1], alpha[1]) * z(m[2], alpha[2]);
       const auto f = static_cast<Float>(factor);
-      const Float* row = g.coefficients.data() + k * static_cast<std::size_t>(g.columns);
-      for (int s = 0; s < g.columns; ++s) coefficient[s] += f * row[s];
+      const Float* row = g.coefficients.data() + k * columns;
+      for (std::size_t s = 0; s < columns; ++s) coefficient[s] += f * row[s];
     }
-    for (int s = 0; s < g.columns; ++s) size[s] += std::abs(coefficient[s]);
+    for (std::size_t s = 0; s < columns; ++s) size[s] += std::abs(coefficient[s]);
   }
   double sum = 0;
-  for (int s = 0; s < g.columns; ++s) {
+  for (std::size_t s = 0; s < columns; ++s) {
     most[s] = std::max(most[s], size[s]);
     sum += static_cast<double>(size[s]);
   }

@@ -28,9 +28,10 @@ class FalloffWeights {
 
   explicit FalloffWeights(const Falloff& falloff) noexcept;
 
-  /// Calls visit(part) for parts that make up the cell, in most of which q varies little.
-  template <class Visit>
-  void divide(const WeightCell& cell, Visit visit) const noexcept {
+  /// Calls visit(part) for parts that make up the cell, small enough that in most of them q varies little; those of
+  /// which matters(part) is false are left out.
+  template <class Matters, class Visit>
+  void divide(const WeightCell& cell, Matters matters, Visit visit) const noexcept {
     std::array<WeightCell, kHalvings + 2> stack;
     int waiting = 0;
     stack[waiting++] = cell;
@@ -40,6 +41,7 @@ class FalloffWeights {
         visit(part);
         continue;
       }
+      if (!matters(part)) continue;
       for (const double side : {-0.5, 0.5}) stack[waiting++] = halved(part, side);
     }
   }

@@ -247,7 +247,14 @@ void SamplePlanner::coverFalloff(SamplePlan& samples) noexcept {
       cell.centre[a] = (lo + hi) / 2;
       cell.half[a] = (hi - lo) / 2;
     }
-    bounds.divide(cell, [&](const WeightCell& part) {
+    const auto matters = [&](const WeightCell& part) {
+      std::array<float, kMax> raised = most;
+      if (bounds.raise<float>(part, weights, raised) > lebesgue_ || raised != most) return true;
+      std::array<double, kLinear> wrong = defect;
+      bounds.raise<double>(part, errors, wrong);
+      return wrong != defect;
+    };
+    bounds.divide(cell, matters, [&](const WeightCell& part) {
       lebesgue_ = std::max(lebesgue_, bounds.raise<float>(part, weights, most));
       bounds.raise<double>(part, errors, defect);
     });
