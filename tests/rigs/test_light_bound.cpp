@@ -226,20 +226,18 @@ TEST(LightBoundCases, IsFiniteForAnyFiniteLight) {
   }
 }
 
-/// The largest step of the error along a path, halved again and again, relative to the largest error: what is left is a
-/// jump.
-template <class MakeLight>
-double largestJump(const LightBounds& bounds, MakeLight make) {
-  constexpr int kSteps = 5000;
-  const auto error = [&](double t) { return double{bounds(make(static_cast<float>(t))).error}; };
+/// The largest step of error(t) along a path, t in [0, 1], halved again and again, relative to the largest error: what
+/// is left is a jump.
+template <class Error>
+double largestJump(int steps, Error error) {
   double largest = 0, step = 0, at = 0;
-  for (int i = 0; i < kSteps; ++i) {
-    const double t = static_cast<double>(i) / kSteps;
-    const double change = std::abs(error(t + 1.0 / kSteps) - error(t));
-    largest = std::max(largest, error(t));
+  for (int i = 0; i < steps; ++i) {
+    const double t = static_cast<double>(i) / steps;
+    const double change = std::abs(error(t + 1.0 / steps) - error(t));
+    largest = std::max<double>(largest, error(t));
     if (change > step) step = change, at = t;
   }
-  double from = at, to = at + 1.0 / kSteps;
+  double from = at, to = at + 1.0 / steps;
   while (to - from > 2e-7) {
     const double middle = (from + to) / 2;
     if (std::abs(error(middle) - error(from)) > std::abs(error(to) - error(middle))) {
@@ -260,7 +258,8 @@ TEST(LightBoundCases, IsContinuousInTheLight) {
     const LightBounds bounds(rig, {});
     const auto path = [](float t) { return Vec3{-3 + 6 * t, 0.2f + 0.5f * t, 0.1f - 0.6f * t}; };
     const auto check = [&](const char* name, auto make) {
-      EXPECT_LT(largestJump(bounds, make), kSquareRoot) << spec << ' ' << name;
+      const auto error = [&](double t) { return double{bounds(make(static_cast<float>(t))).error}; };
+      EXPECT_LT(largestJump(5000, error), kSquareRoot) << spec << ' ' << name;
     };
     check("sphere through the box", [&](float t) { return SphereLight{path(t), 0.3f, {1, 1, 1}}; });
     check("growing sphere", [&](float t) { return SphereLight{{1.5f, 1, 0.3f}, 3 * t, {1, 1, 1}}; });
@@ -271,6 +270,39 @@ TEST(LightBoundCases, IsContinuousInTheLight) {
     check("turning spot", [&](float t) {
       return SpotLight{{0.5f, 2, 0.7f}, {std::sin(6 * t), -std::cos(6 * t), 0.2f}, {1, 1, 1}, 0.3f, 0.5f, 0.1f};
     });
+  }
+}
+
+TEST(LightBoundCases, IsContinuousInThePose) {
+  // Worst 2e-7 of the path: as for lights; coordinates of poses are floats, and t moves them by few units in the last
+  // place.
+  constexpr double kSquareRoot = 3e-3;
+  const std::vector<Vec3> surface = ellipsoid({}, kBox.hi, 600);
+  for (const std::string spec : {"constant", "gradient", "gradient@numeric", "lattice:3x2x2", "lattice:4x3x2:cubic",
+                                 "mixed:l3,g,c", "poly:6", "invquad:6", "lattice:3x2x2@lsq", "lattice:3x2x2@gauss"}) {
+    Rig rig = boxRig(spec);
+    std::vector<Vec3> anchors(rig.anchors().size());
+    // Grows along x, sways along y, bends the anchors, and is nearly flat at t = 1/2.
+    const auto posed = [&](double t) {
+      const Vec3 scale{static_cast<float>(1 + t), 1, static_cast<float>(0.02 + std::abs(2 * t - 1))};
+      const Vec3 shift{0, static_cast<float>(0.5 * std::sin(6 * t)), 0};
+      const auto moved = [&](Vec3 p) { return Vec3{p.x * scale.x, p.y * scale.y, p.z * scale.z} + shift; };
+      const auto bend = static_cast<float>(0.8 * t);
+      for (std::size_t i = 0; i < anchors.size(); ++i) {
+        const Vec3 p = surface[rig.anchors()[i]];
+        anchors[i] = moved({p.x * (1 - bend * p.y * p.y), p.y, p.z});
+      }
+      rig.setPose({{moved(kBox.lo), moved(kBox.hi)}, anchors});
+      return LightBounds(rig, {});
+    };
+    const auto check = [&](const char* name, auto light) {
+      EXPECT_LT(largestJump(400, [&](double t) { return double{posed(t)(light).error}; }), kSquareRoot)
+          << spec << ' ' << name;
+    };
+    check("sphere that touches", SphereLight{{1.5f, 0.6f, 0.1f}, 0.3f, {1, 1, 1}});
+    check("point inside", PointLight{{0.4f, 0.1f, 0.05f}, {1, 1, 1}, 0.05f, 3});
+    check("far point", PointLight{{5, 4, -3}, {1, 1, 1}});
+    check("spot", SpotLight{{0.5f, 2, 0.7f}, {0.1f, -1, -0.3f}, {1, 1, 1}, 0.2f, 0.5f, 0.1f});
   }
 }
 
