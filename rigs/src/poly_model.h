@@ -23,6 +23,13 @@ class Rig::PolyModel final : public Rig::Model {
   void adapt(std::span<const float> light, int width) noexcept override;
   void basis(Vec3 p, RigBasis& out) const noexcept override;
 
+  /// Exponents of x, y, z in monomial k.
+  std::array<std::uint8_t, 3> exponents(int k) const noexcept {
+    std::array<std::uint8_t, 3> e{};
+    for (; k > 0; k = terms_[k].from) ++e[terms_[k].axis];
+    return e;
+  }
+
   /// Of the moment; 1 but for invquad.
   const Falloff& falloff() const noexcept { return falloff_; }
 

@@ -69,9 +69,15 @@ void SamplePlanner::watchBeyond() noexcept {
 void SamplePlanner::readSpan(BoundPlan& plan) noexcept {
   const RigSpec& spec = rig_.spec();
   if (spec.family == RigSpec::Family::poly) {
-    // The basis functions are monomials of box coordinates times a common factor: at (1/2, 1, 1) they are 2^-(degree of
-    // x) of the first, which is 1.
     plan.polynomial = true;
+    if (spec.falloff) {
+      // It spans 1/q times these; what it makes of linear light tells how far it is from that.
+      const auto& model = static_cast<const Rig::PolyModel&>(*rig_.model_);
+      for (int k = 0; k < rig_.shVectors(); ++k) span_[k] = model.exponents(k);
+      for (const int axis : {-1, 0, 1, 2}) watch(axis == 0, axis == 1, axis == 2);
+      return;
+    }
+    // Monomials of box coordinates: at (1/2, 1, 1) they are 2^-(degree of x).
     const RigBox& box = rig_.box();
     std::array<RigBasis, 3> at;
     for (int a = 0; a < 3; ++a) {
@@ -85,12 +91,6 @@ void SamplePlanner::readSpan(BoundPlan& plan) noexcept {
     };
     const auto ratio = [&](int a, int k) { return degree(at[a].value[k] / at[a].value[0]); };
     for (int k = 0; k < at[0].count; ++k) watch(ratio(0, k), ratio(1, k), ratio(2, k));
-    if (spec.falloff) {
-      // It spans 1/q times these; what it makes of linear light tells how far it is from that.
-      std::copy_n(watch_.begin(), watched_, span_.begin());
-      watched_ = 0;
-      for (const int axis : {-1, 0, 1, 2}) watch(axis == 0, axis == 1, axis == 2);
-    }
     return;
   }
   const auto& axes = rig_.axes();
