@@ -91,8 +91,8 @@ struct BoundPlan {
 
 /// The bounds of one rig in one pose. Made once a frame and object: 0.2 us, for poly, @lsq and @gauss 7 to 70 us (K 6
 /// to 20), for invquad 350 to 500. A light costs 70 - 160 ns (spot 170 - 310), of poly, @lsq and @gauss 230 - 500 (spot
-/// 330 - 600); a projection takes 42 - 66. Nothing allocates. Results are finite, continuous in the light and the pose,
-/// and 0 for lights that hold a NaN or are infinitely far.
+/// 330 - 600); a projection takes 42 - 66. Nothing allocates. Results are finite, continuous in the light and in poses
+/// that are not exactly flat, and 0 for lights that hold a NaN or are infinitely far.
 class LightBounds {
  public:
   /// `wrap` is that of the object's materials (the one with the larger bound where they differ). `radius` [m]: of a
