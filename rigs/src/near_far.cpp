@@ -106,7 +106,7 @@ void NearFar::recallWeights() noexcept {
 
 float NearFar::moved(const Known& light, float step) const noexcept {
   const float wanted = wanted_[light.index];
-  return light.fades ? light.weight + std::clamp(wanted - light.weight, -step, step) : wanted;
+  return light.fades ? light.weight + std::clamp(wanted - light.weight, -step * options_.fallShare, step) : wanted;
 }
 
 void NearFar::moveHolders(float step) noexcept {

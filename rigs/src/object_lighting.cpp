@@ -46,6 +46,8 @@ struct ObjectLighting<B>::State {
     anchors.insert(anchors.end(), check.extraAnchors().begin(), check.extraAnchors().end());
     slots = chooses() && options.nearSlots == 0 ? kMaxNearLights : options.nearSlots;
     nearFar.options().slots = slots;
+    // With slots to spare a light may take its time to leave: the rig has it before it is gone.
+    if (chooses() && slots == kMaxNearLights) nearFar.options().fallShare = kFallShare;
     if (options.wrap != 0) options.cost.nearLight = options.cost.nearWrap;
     functionals.resize(rig.projections());
     coefficients.resize(rig.shVectors());
@@ -293,19 +295,23 @@ struct ObjectLighting<B>::State {
 
   static float moved(float to, float from, float step) noexcept { return std::clamp(to, from - step, from + step); }
 
-  /// Weights of coefficients move no faster than those of lights: the cheapest choice may change from one frame to the
-  /// next, and with it what is left for the rig to hold. Returns how many are not 0.
+  /// The cheapest choice may change from one frame to the next, and with it what is left for the rig to hold: weights
+  /// of coefficients are limited as those of lights are, but rise faster, for what is not held is wrong. Returns how
+  /// many are not 0.
   int limitCoefficients(bool cut, float seconds) noexcept {
-    const float step = nearFar.options().weightRate * seconds;
+    const float fall = nearFar.options().weightRate * seconds, rise = kRiseRate * seconds;
     int used = 0;
     for (std::size_t j = 0; j < coefficientWeights.size(); ++j) {
-      if (!cut) coefficientWeights[j] = moved(coefficientWeights[j], lastCoefficients[j], step);
-      lastCoefficients[j] = coefficientWeights[j];
-      if (coefficientWeights[j] > 0) used = static_cast<int>(j) + 1;
+      float& weight = coefficientWeights[j];
+      if (!cut) weight = std::clamp(weight, lastCoefficients[j] - fall, lastCoefficients[j] + rise);
+      lastCoefficients[j] = weight;
+      if (weight > 0) used = static_cast<int>(j) + 1;
     }
     return used;
   }
 
+  static constexpr float kFallShare = 0.25f;
+  static constexpr float kRiseRate = 60;          // 1/s
   static constexpr float kTargetRate = 4;         // 1/s
   static constexpr float kTruncatedShare = 0.1f;  // of a light's peak that three bands miss
 

@@ -17,6 +17,7 @@ struct NearFarOptions {
   float tolerance = 0;    // [W/m2] a light whose error is below it stays in the rig
   float weightRate = 20;  // [1/s] limit of a weight's movement, for lights switched on or off and for objects that
                           // jump; not positive: no limit
+  float fallShare = 1;  // of weightRate, for weights that fall: a light that leaves slowly waits for the rig to take it
 };
 
 /// Weight w of each light: the share w is evaluated exactly, 1 - w stays in the rig. w = smoothstep(err/F - 1),
