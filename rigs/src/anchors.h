@@ -18,7 +18,8 @@ struct Anchors {
 /// Whether the ends of the surface, its extreme points along the axes, are anchors whatever their share.
 enum class SurfaceEnds {
   represented,  // by the anchor of their patch: the best points for a fit
-  anchored,     // themselves: for who judges a fit by its anchors and must not have surface beyond them
+  anchored,  // themselves: for who judges a fit by its anchors and must not have surface beyond them; an end takes the
+             // place of the cluster whose seed it would have been, so that up to six fewer anchors come out
 };
 
 /// `count` medoids of a k-means clustering of `surface` (all of it when it has no more points than that).
