@@ -1,0 +1,355 @@
+// The frame's work of ObjectLighting: bounds, the choice of near lights and coefficients, the fit, the estimates.
+#pragma once
+
+#include <rigel/light_bound.h>
+#include <rigel/object_lighting.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "surface_check.h"
+
+namespace rigel {
+namespace lighting {
+
+inline constexpr int kCandidates = 40;  // lights that are looked at one by one; the others stay in the rig
+// Targets are aimed at with these margins; tools/study measures how often they are met.
+inline constexpr float kSpatialMargin = 1.55f;
+inline constexpr float kTotalMargin = 1.1f, kTotalSpatialMargin = 1.4f;
+// Two dozen points miss part of an error that is largest in small places; measured over the inputs of tools/study.
+inline constexpr float kFewPoints = 1.35f;
+
+/// One figure for a colour: RMS over its channels, as errors are pooled.
+inline float magnitude(Rgb c) noexcept { return std::sqrt((c.r * c.r + c.g * c.g + c.b * c.b) / 3); }
+/// A light that is not a number contributes nothing.
+inline float orNothing(float x) noexcept { return x > 0 ? std::min(x, std::numeric_limits<float>::max()) : 0.0f; }
+inline Rgb colourOf(const DirectionalLight& l) noexcept { return l.irradiance; }
+inline Rgb colourOf(const PointLight& l) noexcept { return l.intensity; }
+inline Rgb colourOf(const SpotLight& l) noexcept { return l.intensity; }
+inline Rgb colourOf(const SphereLight& l) noexcept { return l.radiance; }
+
+/// Projecting the high bands is left out where nobody asks for what is in them.
+inline bool measuresTotal(const LightingOptions& options) noexcept {
+  return options.estimate || options.target.kind == LightingTarget::Kind::totalError ||
+         options.target.kind == LightingTarget::Kind::budget;
+}
+
+inline void finish(LightingProbe probe, LightingStage stage) {
+  if (probe.done != nullptr) probe.done(probe.context, stage);
+}
+
+}  // namespace lighting
+
+template <int B>
+struct ObjectLighting<B>::State {
+  State(Rig r, const RigShape& rest, const LightingOptions& o)
+      : options(o), rig(std::move(r)), check(rig, rest, options.wrap, lighting::measuresTotal(options)) {
+    anchors.assign(rig.anchors().begin(), rig.anchors().end());
+    anchors.insert(anchors.end(), check.extraAnchors().begin(), check.extraAnchors().end());
+    slots = chooses() && options.nearSlots == 0 ? kMaxNearLights : options.nearSlots;
+    nearFar.options().slots = slots;
+    // With slots to spare a light may take its time to leave: the rig has it before it is gone.
+    if (chooses() && slots == kMaxNearLights) nearFar.options().fallShare = kFallShare;
+    if (options.wrap != 0) options.cost.nearLight = options.cost.nearWrap;
+    functionals.resize(rig.projections());
+    coefficients.resize(rig.shVectors());
+    coefficientWeights.resize(check.rows.nested);
+    lastCoefficients.resize(check.rows.nested);
+    std::vector<Vec3> posed;
+    for (int i : anchors) posed.push_back(rest.surface[i]);
+    setPose({rest.box, posed}, {});
+  }
+
+  bool chooses() const noexcept { return options.target.kind != LightingTarget::Kind::none; }
+  bool adaptive() const noexcept { return check.nested().has_value(); }
+
+  void setPose(const RigPose& pose, const RigFrame& worldFromRig) noexcept {
+    frame = worldFromRig;
+    rig.setPose({pose.box, pose.anchors.first(rig.anchors().size())});
+    check.setPose(rig, pose.anchors, worldFromRig);
+  }
+
+  void boundLights(const LightSet& lights) {
+    const LightBounds bounds(rig, frame, options.wrap);
+    const int count = lights.size();
+    errors.resize(count);
+    peaks.resize(count);
+    culled.resize(count);
+    verdicts.resize(count);
+    for (int i = 0; i < count; ++i) {
+      lights.visit(i, [&](const auto& light) {
+        const LightBound bound = bounds(light);
+        const float size = lighting::magnitude(lighting::colourOf(light));
+        errors[i] = lighting::orNothing(bound.error * size);
+        peaks[i] = lighting::orNothing(bound.peak * size);
+        culled[i] = peaks[i] > 0 ? 0 : 1;
+      });
+    }
+  }
+
+  void fitFar(const LightSet& far, LightingProbe probe) {
+    projectSamples<B>(rig, frame, far, functionals);
+    lighting::finish(probe, LightingStage::project);
+    adaptRig<B>(rig, functionals);
+    fitRig<B>(rig, functionals, coefficients);
+    active = rig.shVectors();
+  }
+
+  // A fixed rig and a fixed number of near lights.
+
+  void lightFixed(const LightSet& lights, float seconds, std::span<const std::uint32_t> ids, LightingProbe probe) {
+    near.clear();
+    const LightSet* far = &lights;
+    if (slots > 0 || options.estimate) {
+      boundLights(lights);
+      lighting::finish(probe, LightingStage::bound);
+    }
+    if (slots > 0) {
+      makeRoom(lights.size());
+      nearFar.update(errors, ids, seconds);
+      splitLights(lights, nearFar.weights(), farLights, near, culled);
+      far = &farLights;
+      lighting::finish(probe, LightingStage::choose);
+    }
+    fitFar(*far, probe);
+    lighting::finish(probe, LightingStage::fit);
+    frameMean = 0;
+    means.assign(lights.size(), 0);
+    if (options.estimate) {
+      estimateFixed(lights, *far);
+      lighting::finish(probe, LightingStage::estimate);
+    }
+    if (slots > 0 || options.estimate) judge();
+    nanoseconds = TradeOff::nanoseconds(options.cost, static_cast<float>(active), static_cast<float>(near.size()), 0);
+  }
+
+  void estimateFixed(const LightSet& lights, const LightSet& far) {
+    check.rows.resize(0);
+    check.describe(far, rig, 0);
+    tradeOff.farError(check.rows, check.damping(), {}, farError);
+    for (int i = 0; i < lights.size(); ++i) {
+      means[i] = lights.visit(i, [&](const auto& light) { return check.meanIrradiance(light); });
+      frameMean += means[i];
+    }
+    const float spatial = farError.beyond.back();  // all coefficients are in use
+    estimate(adaptive() ? spatial : lighting::kFewPoints * spatial, farError.truncation);
+  }
+
+  void estimate(float spatialSquare, float truncationSquare) {
+    const auto relative = [&](float square) { return reference() > 0 ? std::sqrt(square) / reference() : 0.0f; };
+    spatialEstimate = relative(spatialSquare);
+    if (check.rows.truncated > 0) totalEstimate = relative(spatialSquare + truncationSquare);
+  }
+
+  float reference() const noexcept { return options.reference > 0 ? options.reference : frameMean; }
+
+  void judge() {
+    const auto weights = nearFar.weights();
+    for (std::size_t i = 0; i < verdicts.size(); ++i) {
+      const float weight = weights.empty() ? 0 : weights[i];
+      const LightRole role = culled[i] != 0 ? LightRole::culled
+                             : weight <= 0  ? LightRole::far
+                             : weight < 1   ? LightRole::blended
+                                            : LightRole::near;
+      verdicts[i] = {role, weight, errors[i], frameMean > 0 ? means[i] / frameMean : 0};
+    }
+  }
+
+  // A choice of near lights, and of the SH vectors of an `auto` rig.
+
+  /// The lights most worth looking at one by one, by bound and truncation; `fade` falls to 0 where a light is about to
+  /// make room for another.
+  void chooseCandidates() {
+    const int count = static_cast<int>(errors.size());
+    const bool total = options.target.kind != LightingTarget::Kind::spatialError;
+    ranks.resize(count);
+    candidates.clear();
+    for (int i = 0; i < count; ++i) {
+      ranks[i] = errors[i] + (total ? kTruncatedShare * peaks[i] : 0);
+      if (culled[i] == 0) candidates.push_back(i);
+    }
+    float next = 0;
+    if (candidates.size() > lighting::kCandidates) {
+      std::ranges::nth_element(candidates, candidates.begin() + lighting::kCandidates,
+                               [&](int a, int b) { return ranks[a] > ranks[b]; });
+      next = ranks[candidates[lighting::kCandidates]];
+      candidates.resize(lighting::kCandidates);
+    }
+    check.rows.resize(static_cast<int>(candidates.size()));
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      const float x = next > 0 ? std::clamp(4 * (ranks[candidates[i]] / next - 1), 0.0f, 1.0f) : 1;
+      check.rows.fade[i] = x * x * (3 - 2 * x);
+    }
+  }
+
+  void describeLights(const LightSet& lights) {
+    if (rig.spec().falloff) {  // what one light adds is judged under the falloff of all
+      projectSamples<B>(rig, frame, lights, functionals);
+      adaptRig<B>(rig, functionals);
+    }
+    means.assign(lights.size(), 0);
+    individually.assign(lights.size(), 0);
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      individually[candidates[i]] = 1;
+      some.clear();
+      lights.visit(candidates[i], [&](const auto& light) { some.add(light); });
+      means[candidates[i]] = check.describe(some, rig, static_cast<int>(i));
+    }
+    some.clear();
+    for (int i = 0; i < lights.size(); ++i)
+      if (individually[i] == 0 && culled[i] == 0) lights.visit(i, [&](const auto& light) { some.add(light); });
+    const float rest = check.describe(some, rig, check.rows.lights);
+    for (int i = 0; i < lights.size() && some.size() > 0; ++i)  // nobody looks at one of many small lights
+      if (individually[i] == 0 && culled[i] == 0) means[i] = rest / static_cast<float>(some.size());
+    frameMean = 0;
+    for (float m : means) frameMean += m;
+  }
+
+  /// Which lights are culled, looked at one by one or near changes from frame to frame; no more than all are.
+  void makeRoom(int count) {
+    if (count <= room) return;
+    room = count;
+    const int most = std::min(count, lighting::kCandidates);
+    check.rows.reserve(most);
+    tradeOff.reserve(check.rows, most);
+    candidates.reserve(count);
+    candidateWeights.reserve(most);
+    choice.weights.reserve(most);
+    costing.weights.reserve(most);
+    farLights.reserve(count);
+    some.reserve(count);
+    near.reserve(std::min(count, slots));
+  }
+
+  void weigh(const LightSet& lights, LightingProbe probe) {
+    makeRoom(lights.size());
+    boundLights(lights);
+    lighting::finish(probe, LightingStage::bound);
+    chooseCandidates();
+    describeLights(lights);
+    lighting::finish(probe, LightingStage::project);
+    tradeOff.build(check.rows, check.damping(), slots, options.target.kind != LightingTarget::Kind::spatialError);
+  }
+
+  TradeOff::Request request(float target) const noexcept {
+    TradeOff::Request r;
+    r.kind = options.target.kind;
+    r.slots = slots;
+    r.vectors = adaptive() ? 0 : rig.shVectors();
+    r.highBand = r.kind != LightingTarget::Kind::spatialError && check.rows.highCount > 0;
+    r.cost = options.cost;
+    const bool total = r.kind == LightingTarget::Kind::totalError;
+    r.spatialMargin = total ? lighting::kTotalSpatialMargin : lighting::kSpatialMargin;
+    r.value = r.kind == LightingTarget::Kind::budget ? 1000 * target / static_cast<float>(std::max(1, options.points))
+                                                     : target * reference() / (total ? lighting::kTotalMargin : 1);
+    return r;
+  }
+
+  void settle(const LightSet& lights, float target, float seconds, std::span<const std::uint32_t> ids,
+              LightingProbe probe) {
+    const bool cut = fresh || !(seconds > 0 && std::isfinite(seconds));
+    fresh = false;
+    const TradeOff::Request wanted = request(cut ? lastTarget = target : limitedTarget(target, seconds));
+    tradeOff.choose(wanted, choice);
+    lightWeights.assign(lights.size(), 0);
+    for (std::size_t i = 0; i < candidates.size(); ++i) lightWeights[candidates[i]] = choice.weights[i];
+    nearFar.follow(lightWeights, ids, seconds, peaks);
+    candidateWeights.resize(candidates.size());
+    for (std::size_t i = 0; i < candidates.size(); ++i) candidateWeights[i] = nearFar.weights()[candidates[i]];
+    splitLights(lights, nearFar.weights(), farLights, near, culled);
+    tradeOff.farError(check.rows, check.damping(), candidateWeights, farError);
+    const float highBand =
+        cut ? choice.highBand : moved(choice.highBand, lastHighBand, nearFar.options().weightRate * seconds);
+    lastHighBand = highBand;
+    // A band at weight w leaves (1-w)^2 of its energy.
+    const float removed = highBand * (2 - highBand);
+    const float truncation = std::lerp(farError.truncation, farError.truncationHigh, removed);
+    if (wanted.kind == LightingTarget::Kind::totalError)
+      choice.spatialError = TradeOff::spatialRoom(wanted, truncation);
+    lighting::finish(probe, LightingStage::choose);
+
+    if (adaptive()) {
+      TradeOff::coefficientWeights(farError, choice, coefficientWeights);
+      active = limitCoefficients(cut, seconds);
+      check.nested()->synthesise(farError.field.data(), 3 * shCount(B), std::span(coefficientWeights).first(active),
+                                 coefficients[0].data());
+    } else {
+      fitFar(farLights, {});
+    }
+    check.highBand(farError.truncated, highBand, high);
+    lighting::finish(probe, LightingStage::fit);
+    const float spatial = TradeOff::spatialSquare(check.rows, farError, check.damping(), coefficientWeights);
+    estimate(adaptive() ? spatial : lighting::kFewPoints * spatial, truncation);
+    judge();
+    nanoseconds = TradeOff::nanoseconds(options.cost, static_cast<float>(active), static_cast<float>(near.size()),
+                                        high.band > 0 ? 1.0f : 0.0f);
+  }
+
+  /// A target moves by no more than kTargetRate e-folds a second: whoever spreads a budget over objects may find that
+  /// granting two of them any error between two values costs the same.
+  float limitedTarget(float target, float seconds) noexcept {
+    if (target > 0 && lastTarget > 0) {
+      const float step = std::exp(kTargetRate * seconds);
+      target = std::clamp(target, lastTarget / step, lastTarget * step);
+    }
+    return lastTarget = target;
+  }
+
+  static float moved(float to, float from, float step) noexcept { return std::clamp(to, from - step, from + step); }
+
+  /// The cheapest choice may change from one frame to the next, and with it what is left for the rig to hold: weights
+  /// of coefficients are limited as those of lights are, but rise faster, for what is not held is wrong. Returns how
+  /// many are not 0.
+  int limitCoefficients(bool cut, float seconds) noexcept {
+    const float fall = nearFar.options().weightRate * seconds, rise = kRiseRate * seconds;
+    int used = 0;
+    for (std::size_t j = 0; j < coefficientWeights.size(); ++j) {
+      float& weight = coefficientWeights[j];
+      if (!cut) weight = std::clamp(weight, lastCoefficients[j] - fall, lastCoefficients[j] + rise);
+      lastCoefficients[j] = weight;
+      if (weight > 0) used = static_cast<int>(j) + 1;
+    }
+    return used;
+  }
+
+  static constexpr float kFallShare = 0.25f;
+  static constexpr float kRiseRate = 60;          // 1/s
+  static constexpr float kTargetRate = 4;         // 1/s
+  static constexpr float kTruncatedShare = 0.1f;  // of a light's peak that three bands miss
+
+  LightingOptions options;
+  Rig rig;
+  SurfaceCheck<B> check;
+  RigFrame frame;
+  NearFar nearFar;
+  TradeOff tradeOff;
+  TradeOff::Choice choice;
+  mutable TradeOff::Choice costing;  // of costAt
+  std::vector<int> anchors;
+  int slots = 0;
+
+  // Per light.
+  std::vector<float> errors, peaks, means, ranks, lightWeights;
+  std::vector<std::uint8_t> culled, individually;
+  std::vector<LightVerdict> verdicts;
+  std::vector<int> candidates;
+  std::vector<float> candidateWeights;
+
+  LightSet some, farLights;
+  FarError farError;
+  std::vector<float> coefficientWeights;
+  std::vector<RadianceSH<B>> functionals, coefficients;
+  int active = 0;  // of coefficients
+  int room = 0;    // lights there is room for
+  std::vector<NearLight> near;
+  HighBand high;
+  float frameMean = 0;  // [W/m2] irradiance on the object, of all lights
+  float nanoseconds = 0;
+  bool fresh = true;  // nothing to be continuous with
+  float lastTarget = 0, lastHighBand = 0;
+  std::vector<float> lastCoefficients;
+  std::optional<float> spatialEstimate, totalEstimate;
+};
+
+}  // namespace rigel
