@@ -62,8 +62,17 @@ class RunnerOf final : public RigRunner {
     const RigBox box = rigBox(frame, posed);  // an engine has its bounds already: not part of the rig's time
     FitTimes times;
     StageClock clock(times);
-    for (std::size_t i = 0; i < anchors_.size(); ++i)
-      anchors_[i] = frame.inversePoint(surfacePosition(object, posed, anchorPoints_[i]));
+    const auto pose = [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i)
+        anchors_[i] = frame.inversePoint(surfacePosition(object, posed, anchorPoints_[i]));
+    };
+    // The rig's own come first; the others are where its error is estimated.
+    const std::size_t own = lighting_.rig().anchors().size();
+    if (own < anchors_.size()) {
+      pose(own, anchors_.size());
+      clock.ended(FitTimes::kEstimate);
+    }
+    pose(0, own);
     lighting_.setPose({box, anchors_}, frame);
     clock.ended(FitTimes::kRefresh);
     lighting_.light(lights, seconds, {}, clock.probe());
