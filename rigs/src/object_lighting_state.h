@@ -235,7 +235,6 @@ struct ObjectLighting<B>::State {
   TradeOff::Request request(float target) const noexcept {
     TradeOff::Request r;
     r.kind = options.target.kind;
-    r.slots = slots;
     r.vectors = adaptive() ? 0 : rig.shVectors();
     r.highBand = r.kind != LightingTarget::Kind::spatialError && check.rows.highCount > 0;
     r.cost = options.cost;

@@ -1,6 +1,6 @@
 // Error against cost of one object in one frame: how many near lights, how many SH vectors, with or without the high
-// band. The choice is continuous in its inputs: it is an average over a ladder of levels, weighted towards the
-// cheapest.
+// band. The choice is an average over a ladder of levels, one more near light each, weighted towards the cheapest; for
+// a budget it is the best of them.
 #pragma once
 
 #include <rigel/object_lighting.h>
@@ -56,7 +56,6 @@ class TradeOff {
     LightingTarget::Kind kind = LightingTarget::Kind::spatialError;
     float value = 0;          // error [W/m2], or nanoseconds a point
     float spatialMargin = 1;  // estimated spatial errors are kept below what the target leaves them by this factor
-    int slots = 0;            // near lights at most
     int vectors = 0;          // of a fixed rig; 0: nested
     bool highBand = false;    // available
     CostModel cost;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "lamp_row.h"
 #include "rig_fixture.h"
 
 namespace rigel::test {
@@ -28,14 +29,6 @@ class LampRow {
     rig_.setPose({boxOf(surface_), anchors_});
     functionals_.resize(rig_.projections());
     coefficients_.resize(rig_.shVectors());
-    std::mt19937 random(3);
-    std::uniform_real_distribution<float> unit(0, 1);
-    for (int i = 0; i < 24; ++i) {
-      const float side = i % 2 == 0 ? -1.0f : 1.0f;
-      const Vec3 p{-8 + 1.1f * static_cast<float>(i), 0.5f + 2 * unit(random), side * (1.2f + 1.5f * unit(random))};
-      const float bright = 5 + 20 * unit(random);
-      lamps_.add(SphereLight{p, 0.1f, {bright, bright, bright}});
-    }
   }
 
   /// Drives `seconds` at 8 m/s in frames of 1/rate.
@@ -108,7 +101,7 @@ class LampRow {
   Rig rig_;
   std::vector<Vec3> anchors_;
   RigFrame frame_;
-  LightSet lamps_, far_;
+  LightSet lamps_ = lampRow(), far_;
   std::vector<NearLight> near_;
   std::vector<RadianceSH<3>> functionals_, coefficients_;
 };

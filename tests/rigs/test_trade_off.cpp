@@ -227,7 +227,6 @@ TradeOff::Request requestOf(Kind kind, double value) {
   TradeOff::Request request;
   request.kind = kind;
   request.value = static_cast<float>(value);
-  request.slots = 64;
   request.highBand = kind != Kind::spatialError;
   return request;
 }
