@@ -127,8 +127,4 @@ inline LocalTerm localTerm(const SpotLight& light, Vec3 p, float footprint = 0) 
   return term;
 }
 
-constexpr Rgb colourOf(const SphereLight& light) noexcept { return light.radiance; }
-constexpr Rgb colourOf(const PointLight& light) noexcept { return light.intensity; }
-constexpr Rgb colourOf(const SpotLight& light) noexcept { return light.intensity; }
-
 }  // namespace rigel::detail

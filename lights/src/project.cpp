@@ -97,15 +97,15 @@ template <int B, class Light>
 void accumulate(const Light& light, Vec3 p, float footprint, RadianceSH<B>& sh) noexcept {
   const LocalTerm term = detail::localTerm(light, p, footprint);
   if (!term.view.valid || !(term.modulation.value > 0)) return;
-  accumulateValue<B>(term, detail::colourOf(light), sh);
+  accumulateValue<B>(term, colourOf(light), sh);
 }
 
 template <int B, class Light>
 void accumulate(const Light& light, Vec3 p, ProjectionWithGradient<B>& out) noexcept {
   const LocalTerm term = detail::localTerm(light, p);
   if (!term.view.valid || !(term.modulation.value > 0)) return;
-  accumulateValue<B>(term, detail::colourOf(light), out.value);
-  accumulateGradient<B>(term, detail::colourOf(light), out.gradient);
+  accumulateValue<B>(term, colourOf(light), out.value);
+  accumulateGradient<B>(term, colourOf(light), out.gradient);
 }
 
 template <int B, class Light>

@@ -24,10 +24,6 @@ inline constexpr float kFewPoints = 1.35f;
 inline float magnitude(Rgb c) noexcept { return std::sqrt((c.r * c.r + c.g * c.g + c.b * c.b) / 3); }
 /// A light that is not a number contributes nothing.
 inline float orNothing(float x) noexcept { return x > 0 ? std::min(x, std::numeric_limits<float>::max()) : 0.0f; }
-inline Rgb colourOf(const DirectionalLight& l) noexcept { return l.irradiance; }
-inline Rgb colourOf(const PointLight& l) noexcept { return l.intensity; }
-inline Rgb colourOf(const SpotLight& l) noexcept { return l.intensity; }
-inline Rgb colourOf(const SphereLight& l) noexcept { return l.radiance; }
 
 /// Projecting the high bands is left out where nobody asks for what is in them.
 inline bool measuresTotal(const LightingOptions& options) noexcept {
@@ -80,7 +76,7 @@ struct ObjectLighting<B>::State {
     for (int i = 0; i < count; ++i) {
       lights.visit(i, [&](const auto& light) {
         const LightBound bound = bounds(light);
-        const float size = lighting::magnitude(lighting::colourOf(light));
+        const float size = lighting::magnitude(colourOf(light));
         errors[i] = lighting::orNothing(bound.error * size);
         peaks[i] = lighting::orNothing(bound.peak * size);
         culled[i] = peaks[i] > 0 ? 0 : 1;

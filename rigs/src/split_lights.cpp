@@ -6,28 +6,11 @@
 namespace rigel {
 namespace {
 
-DirectionalLight scaled(DirectionalLight light, float s) noexcept {
-  light.irradiance = light.irradiance * s;
+template <class Light>
+Light scaled(Light light, float s) noexcept {
+  colourOf(light) = colourOf(light) * s;
   return light;
 }
-PointLight scaled(PointLight light, float s) noexcept {
-  light.intensity = light.intensity * s;
-  return light;
-}
-SpotLight scaled(SpotLight light, float s) noexcept {
-  light.intensity = light.intensity * s;
-  return light;
-}
-SphereLight scaled(SphereLight light, float s) noexcept {
-  light.radiance = light.radiance * s;
-  return light;
-}
-
-constexpr bool isBlack(Rgb c) noexcept { return c == Rgb{}; }
-constexpr bool isBlack(const DirectionalLight& light) noexcept { return isBlack(light.irradiance); }
-constexpr bool isBlack(const PointLight& light) noexcept { return isBlack(light.intensity); }
-constexpr bool isBlack(const SpotLight& light) noexcept { return isBlack(light.intensity); }
-constexpr bool isBlack(const SphereLight& light) noexcept { return isBlack(light.radiance); }
 
 }  // namespace
 
@@ -41,7 +24,7 @@ void splitLights(const LightSet& lights, std::span<const float> weights, LightSe
     if (!culled.empty() && culled[i]) continue;
     const float w = weights[i] > 0 ? std::min(weights[i], 1.0f) : 0.0f;
     lights.visit(i, [&](const auto& light) {
-      if (isBlack(light)) return;
+      if (colourOf(light) == Rgb{}) return;
       if (w > 0) near.push_back(nearLight(light, w));
       if (w == 0) far.add(light);
       if (w > 0 && w < 1) far.add(scaled(light, 1 - w));

@@ -4,6 +4,8 @@
 
 #include "lights/describe.h"
 
+#include <utility>
+
 namespace rigel {
 namespace {
 
@@ -85,6 +87,22 @@ TEST(LightSet, GradientIsTheSumOverTheLights) {
       for (const RadianceShGradient<5>& part : parts) expected += part.d[axis][i].g;
       EXPECT_NEAR(sum.d[axis][i].g, expected, 1e-5f) << "axis " << axis << ", coefficient " << i;
     }
+  }
+}
+
+TEST(LightSet, LightIsLinearInItsColour) {
+  const LightSet lights = allKinds();
+  const Vec3 p{0.3f, 0.1f, -0.2f};
+  const Vec3 n{0, 0.8f, -0.6f};
+  for (int i = 0; i < lights.size(); ++i) {
+    lights.visit(i, [&](auto light) {
+      const RgbD before = exactIrradiance(light, p, n, 1);
+      colourOf(light) = colourOf(light) * 0.5f;
+      const RgbD after = exactIrradiance(light, p, n, 1);
+      for (int channel = 0; channel < 3; ++channel) EXPECT_DOUBLE_EQ(after[channel], 0.5 * before[channel]) << i;
+      EXPECT_GT(after.r, 0) << i;
+      EXPECT_EQ(colourOf(std::as_const(light)), colourOf(light)) << i;
+    });
   }
 }
 

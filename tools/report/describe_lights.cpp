@@ -17,14 +17,8 @@ double degrees(float radians) { return static_cast<double>(radians) * 180 / std:
 }  // namespace
 
 std::optional<Error> scaleLights(Scene& scene, float factor) {
-  struct Brightness {
-    Rgb& operator()(DirectionalLight& l) const { return l.irradiance; }
-    Rgb& operator()(PointLight& l) const { return l.intensity; }
-    Rgb& operator()(SpotLight& l) const { return l.intensity; }
-    Rgb& operator()(SphereLight& l) const { return l.radiance; }
-  };
   for (SceneLight& light : scene.lights) {
-    Rgb& brightness = std::visit(Brightness{}, light.shape);
+    Rgb& brightness = std::visit([](auto& shape) -> Rgb& { return colourOf(shape); }, light.shape);
     brightness = brightness * factor;
     for (int c = 0; c < 3; ++c) {
       if (!std::isfinite(brightness[c]))

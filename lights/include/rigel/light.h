@@ -55,6 +55,17 @@ struct SphereLight {
   Rgb radiance;
 };
 
+/// What a light's brightness is proportional to, whatever its kind: irradiance [W/m2] of a directional light, intensity
+/// [W/sr] of a point or spot light, radiance [W/(m2 sr)] of a sphere light. SH and irradiance are linear in it.
+constexpr Rgb colourOf(const DirectionalLight& light) noexcept { return light.irradiance; }
+constexpr Rgb colourOf(const PointLight& light) noexcept { return light.intensity; }
+constexpr Rgb colourOf(const SpotLight& light) noexcept { return light.intensity; }
+constexpr Rgb colourOf(const SphereLight& light) noexcept { return light.radiance; }
+constexpr Rgb& colourOf(DirectionalLight& light) noexcept { return light.irradiance; }
+constexpr Rgb& colourOf(PointLight& light) noexcept { return light.intensity; }
+constexpr Rgb& colourOf(SpotLight& light) noexcept { return light.intensity; }
+constexpr Rgb& colourOf(SphereLight& light) noexcept { return light.radiance; }
+
 /// All lights of a frame, structure of arrays per kind. Filling it allocates only while it grows; `clear` keeps
 /// capacity. `index` arguments run within a kind. Not thread safe for writers; any number of readers.
 class LightSet {
