@@ -8,9 +8,42 @@ namespace rigel {
 namespace {
 
 constexpr int kBisections = 20;
-constexpr float kFinestError = 1e-3f;  // where the search for the common error begins
+constexpr float kLeastVisibility = 1e-6f;
+
+/// Grants every object what it wants, or the error that shows as much as `visibleError`. Returns the microseconds.
+float grant(std::span<BudgetShare> shares, TargetCost cost, float visibleError) {
+  float sum = 0;
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    BudgetShare& share = shares[i];
+    const float error = visibleError / std::max(share.visibility, kLeastVisibility);
+    share.granted = std::max(share.wanted, std::min(error, kGiveUpError));
+    share.microseconds = cost.at(cost.context, i, share.granted) * share.points / 1000;
+    sum += share.microseconds;
+  }
+  return sum;
+}
 
 }  // namespace
+
+BudgetOutcome spreadBudget(std::span<BudgetShare> shares, TargetCost cost, float microseconds) {
+  BudgetOutcome outcome;
+  outcome.microseconds = grant(shares, cost, 0);
+  if (outcome.microseconds > microseconds) {
+    float most = 0;
+    for (const BudgetShare& share : shares)
+      most = std::max(most, kGiveUpError * std::max(share.visibility, kLeastVisibility));
+    // The logarithm is bisected: errors of 2 % and 200 % are to be found equally well.
+    float low = std::log(std::min(kLeastError, most)), high = std::log(most);
+    for (int i = 0; i < kBisections; ++i) {
+      const float middle = 0.5f * (low + high);
+      (grant(shares, cost, std::exp(middle)) > microseconds ? low : high) = middle;
+    }
+    outcome.largestError = std::exp(high);
+    outcome.microseconds = grant(shares, cost, outcome.largestError);
+  }
+  outcome.met = outcome.microseconds <= microseconds;
+  return outcome;
+}
 
 template <int B>
 BudgetOutcome lightWithinBudget(std::span<ObjectLighting<B>* const> objects, std::span<const float> visibility,
@@ -19,35 +52,15 @@ BudgetOutcome lightWithinBudget(std::span<ObjectLighting<B>* const> objects, std
   assert(shares.size() == objects.size() && (visibility.empty() || visibility.size() == objects.size()));
   for (std::size_t i = 0; i < objects.size(); ++i) {
     objects[i]->weigh(lights);
-    shares[i].wanted = objects[i]->options().target.value;
+    const LightingOptions& options = objects[i]->options();
+    shares[i].wanted = options.target.value;
+    shares[i].visibility = visibility.empty() ? 1 : visibility[i];
+    shares[i].points = static_cast<float>(options.points);
   }
-  const auto seen = [&](std::size_t i) { return visibility.empty() ? 1.0f : std::max(visibility[i], 1e-6f); };
-  const auto grant = [&](float visibleError) {
-    float sum = 0;
-    for (std::size_t i = 0; i < objects.size(); ++i) {
-      shares[i].granted = std::max(shares[i].wanted, std::min(visibleError / seen(i), kGiveUpError));
-      const auto points = static_cast<float>(objects[i]->options().points);
-      shares[i].microseconds = objects[i]->costAt(shares[i].granted) * points / 1000;
-      sum += shares[i].microseconds;
-    }
-    return sum;
+  const auto costAt = [](void* all, std::size_t i, float target) {
+    return (*static_cast<std::span<ObjectLighting<B>* const>*>(all))[i]->costAt(target);
   };
-
-  BudgetOutcome outcome;
-  outcome.microseconds = grant(0);
-  if (outcome.microseconds > microseconds) {
-    float most = 0;
-    for (std::size_t i = 0; i < objects.size(); ++i) most = std::max(most, kGiveUpError * seen(i));
-    // The logarithm is bisected: errors of 2 % and 200 % are to be found equally well.
-    float low = std::log(kFinestError), high = std::log(most);
-    for (int i = 0; i < kBisections; ++i) {
-      const float middle = 0.5f * (low + high);
-      (grant(std::exp(middle)) > microseconds ? low : high) = middle;
-    }
-    outcome.largestError = std::exp(high);
-    outcome.microseconds = grant(outcome.largestError);
-  }
-  outcome.met = outcome.microseconds <= microseconds;
+  const BudgetOutcome outcome = spreadBudget(shares, {costAt, &objects}, microseconds);
   for (std::size_t i = 0; i < objects.size(); ++i) objects[i]->settle(lights, shares[i].granted, seconds);
   return outcome;
 }

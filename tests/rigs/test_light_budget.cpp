@@ -112,6 +112,37 @@ TEST(LightBudget, SaysWhenEvenTheLeastIsTooMuch) {
   for (const auto& member : crowd.members) EXPECT_TRUE(std::isfinite(*member.spatialEstimate()));
 }
 
+/// With costs of c / target the common visible error is known: sum(c points visibility) / budget, over those for whom
+/// it is more than what they want.
+TEST(LightBudget, AgreesWithTheClosedFormOfInverseCosts) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<float> unit(0.1f, 1);
+  for (int trial = 0; trial < 200; ++trial) {
+    std::vector<float> costs;
+    std::vector<BudgetShare> shares(1 + trial % 9);
+    double sum = 0, least = 0;
+    for (BudgetShare& share : shares) {
+      costs.push_back(unit(random));
+      share.wanted = kLeastError;
+      share.visibility = unit(random);
+      share.points = 1000 * unit(random);
+      sum += static_cast<double>(costs.back() * share.points / 1000 * share.visibility);
+      least = std::max(least, static_cast<double>(share.visibility * share.wanted));
+    }
+    // At most 0.15 / 0.1: nobody reaches kGiveUpError.
+    const double error = std::max(0.15 * static_cast<double>(unit(random) * unit(random)), 2 * least);
+    const auto cost = [](void* all, std::size_t i, float target) {
+      return (*static_cast<std::vector<float>*>(all))[i] / target;
+    };
+    const BudgetOutcome outcome = spreadBudget(shares, {cost, &costs}, static_cast<float>(sum / error));
+    EXPECT_TRUE(outcome.met);
+    // Twenty halvings of three decades, and the last bits of the sums: worst found 7.4e-6.
+    EXPECT_NEAR(static_cast<double>(outcome.largestError), error, 1.5e-5 * error);
+    for (const BudgetShare& share : shares)
+      EXPECT_NEAR(share.granted * share.visibility, outcome.largestError, 1e-6f * outcome.largestError);
+  }
+}
+
 TEST(LightBudget, NobodyAndNoLight) {
   Crowd nobody(0);
   EXPECT_TRUE(nobody.light(10).met);

@@ -5,10 +5,13 @@
 
 namespace rigel {
 
-/// What one object was granted in a frame.
+/// What one object asks of a frame's time, and what it is granted.
 struct BudgetShare {
-  float wanted = 0;        // its own error target (options().target.value)
-  float granted = 0;       // the target it was lit to: `wanted`, or more where something had to be given up
+  float wanted = 0;      // its own error target
+  float visibility = 1;  // how much its relative error shows: its share of the screen, its distance
+  float points = 0;      // shaded in the frame
+
+  float granted = 0;       // the target to light it to: `wanted`, or more where something has to be given up
   float microseconds = 0;  // modelled: points x ns a point
 
   bool gaveUp() const noexcept { return granted > wanted; }
@@ -23,12 +26,24 @@ struct BudgetOutcome {
 /// The error at which nothing more is saved by giving up: the lighting is unrecognisable.
 inline constexpr float kGiveUpError = 2;
 
-/// Lights `objects` (targets of kind spatialError or totalError) within `microseconds` of modelled shading time. All
-/// get the error they want where there is time for it; otherwise the objects whose errors would show least give up
-/// first, until what remains shows equally: granted x visibility is the same for all that gave up. `visibility`: how
-/// much an object's relative error shows (its share of the screen, its distance); empty: 1 for all. `shares`: one an
-/// object. Continuous as lights and objects move. Cost: one `weigh` and `settle` an object, and about 40 table
-/// look-ups.
+/// Nobody sees less than this: who wants it takes all the time that there is.
+inline constexpr float kLeastError = 1e-3f;
+
+/// What it costs [ns a point] to light an object, by its index among the shares, to an error.
+struct TargetCost {
+  float (*at)(void* context, std::size_t object, float target) = nullptr;
+  void* context = nullptr;
+};
+
+/// Decides `granted` and `microseconds` of each share. All get the error they want where there is time for it;
+/// otherwise the objects whose errors would show least give up first, until what remains shows equally: granted x
+/// visibility is the same for all that gave up, and as small as the time allows. About 20 look-ups of the cost an
+/// object.
+BudgetOutcome spreadBudget(std::span<BudgetShare> shares, TargetCost cost, float microseconds);
+
+/// Lights `objects` (targets of kind spatialError or totalError) within `microseconds` of modelled shading time:
+/// `weigh` for each, spreadBudget, `settle` for each. `visibility`: empty: 1 for all. `shares`: one an object, filled
+/// here. Continuous as lights and objects move.
 template <int B>
 BudgetOutcome lightWithinBudget(std::span<ObjectLighting<B>* const> objects, std::span<const float> visibility,
                                 const LightSet& lights, float microseconds, float seconds,
