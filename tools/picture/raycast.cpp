@@ -179,23 +179,24 @@ VisibleSurface RayCaster::cast(const Camera& camera, int perSide) const {
   return surface;
 }
 
+std::vector<LightBall> lightBalls(const LightSet& lights, float minRadius, float brightness) {
+  std::vector<LightBall> balls;
+  for (int i = 0; i < lights.size(); ++i) {
+    lights.visit(i, [&](const auto& light) {
+      if constexpr (requires { light.radius; }) {
+        const Rgb colour = colourOf(light);
+        const float largest = std::max({colour.r, colour.g, colour.b});
+        if (largest > 0)
+          balls.push_back({light.position, std::max(light.radius, minRadius), colour * (brightness / largest)});
+      }
+    });
+  }
+  return balls;
+}
+
 void addLights(RayCaster& caster, const LightSet& lights, float minRadius, float brightness) {
-  const auto show = [&](Vec3 centre, float radius, Rgb colour) {
-    const float largest = std::max({colour.r, colour.g, colour.b});
-    if (largest > 0) caster.addLight(centre, std::max(radius, minRadius), colour * (brightness / largest));
-  };
-  for (int i = 0; i < lights.pointCount(); ++i) {
-    const PointLight light = lights.point(i);
-    show(light.position, light.radius, light.intensity);
-  }
-  for (int i = 0; i < lights.spotCount(); ++i) {
-    const SpotLight light = lights.spot(i);
-    show(light.position, light.radius, light.intensity);
-  }
-  for (int i = 0; i < lights.sphereCount(); ++i) {
-    const SphereLight light = lights.sphere(i);
-    show(light.position, light.radius, light.radiance);
-  }
+  for (const LightBall& ball : lightBalls(lights, minRadius, brightness))
+    caster.addLight(ball.centre, ball.radius, ball.emission);
 }
 
 Rgb outgoingRadiance(const VisibleSample& sample, Rgb irradiance) {

@@ -61,8 +61,16 @@ class RayCaster {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Adds every light of the set that has a place as a ball, at least `minRadius` large so that points can be seen; its
-/// colour is the light's, scaled to a largest channel of `brightness`.
+/// How a light is shown in a picture.
+struct LightBall {
+  Vec3 centre;
+  float radius = 0;
+  Rgb emission;
+};
+
+/// Every light of the set that has a place, at least `minRadius` large so that points can be seen; its colour is the
+/// light's, scaled to a largest channel of `brightness`.
+std::vector<LightBall> lightBalls(const LightSet& lights, float minRadius, float brightness);
 void addLights(RayCaster& caster, const LightSet& lights, float minRadius, float brightness);
 
 /// Radiance that leaves a sample towards the camera: Lambert's base colour E/pi, or a light's own.
