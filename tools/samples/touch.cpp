@@ -1,6 +1,7 @@
-// Lights at every place where formulas divide by zero: one brushes the top of a body, one touches its side, one goes in
-// and out, one crosses its very middle, and a point of zero radius grazes it at a centimetre. The body morphs
-// meanwhile.
+// Lights at every place where formulas divide by zero, one after another: one brushes the top of a body, one touches
+// its side, a point of zero radius grazes it at a centimetre, one goes in, rests and comes out, and one crosses its
+// very middle. The body morphs meanwhile. No more than two lights are near it at a time, so that two near lights are
+// enough: light moves as the square root of the way through a lamp's surface, and no rig follows that.
 #include "samples/animation_builder.h"
 #include "samples/mesh_builder.h"
 #include "samples/scene_builder.h"
@@ -17,7 +18,8 @@ namespace {
 constexpr float kHalf = 0.5f;     // m, of the rounded cube at rest
 constexpr float kSwollen = 0.6f;  // m, radius of the ball it swells to
 constexpr float kHeight = 0.75f;  // m, of its middle
-constexpr float kDuration = 3;
+constexpr float kDuration = 7;
+constexpr float kFirstBall = 2, kSecondBall = 3;  // s, where the body is a ball
 
 MorphTarget morph(const Primitive& base, const std::function<glm::vec3(glm::vec3)>& shape) {
   MorphTarget target;
@@ -73,33 +75,46 @@ Scene makeTouch() {
     scene.nodes[node].translation = keys.begin()->value;  // the rest pose is the clip's first frame
     play.translation(node, interpolation, std::span(keys.begin(), keys.size()));
   };
-  // Tangent to the flat top of the cube, which is there at the start and at the end.
+  // Along the flat top of the cube, which is there at the start.
   const float top = kHeight + kHalf + 0.15f;
   path(brush, Interpolation::linear,
-       {{0, {-0.9f, top, 0.1f}}, {1.1f, {0.5f, top, 0.1f}}, {kDuration, {2.2f, top, 0.3f}}});
-  // Against the ball at 1.5 s, just in contact.
+       {{0, {-1.2f, top, 0.1f}},
+        {1.2f, {0.8f, top, 0.1f}},
+        {2.4f, {2.3f, top + 0.5f, 0.3f}},
+        {kDuration, {3, 2.2f, 0.8f}}});
+  // Against the ball, just in contact.
   const float side = kSwollen + 0.25f;
   path(touch, Interpolation::cubicSpline,
-       {{0, {2.0f, kHeight, 0.5f}}, {1.5f, {side, kHeight, 0}}, {kDuration, {1.9f, kHeight, -0.6f}}});
-  // In from the front, resting half-way inside, and out again.
-  path(enter, Interpolation::cubicSpline,
-       {{0, {-0.7f, 0.5f, 1.6f}},
-        {1.9f, {-0.1f, 0.65f, 0.35f}},
-        {2.3f, {-0.1f, 0.7f, 0.3f}},
-        {kDuration, {-0.6f, 0.9f, 1.3f}}});
-  // Straight through the middle of the body and of its box.
-  const glm::vec3 middle{0, kHeight, 0}, along{0.95f, 0.55f, 1.1f};
-  path(cross, Interpolation::linear, {{0, middle - along}, {kDuration, middle + along}});
-  // A centimetre above the ball when it is fully swollen (the spline overshoots by 3 mm at most).
+       {{0, {2.8f, 1.4f, 1.4f}},
+        {1.2f, {2, kHeight, 0.6f}},
+        {kFirstBall, {side, kHeight, 0}},
+        {2.8f, {2, kHeight, -0.7f}},
+        {kDuration, {2.8f, 1.6f, -1.6f}}});
+  // A centimetre off the ball (between its two moments it is up to 5 mm larger).
   const float skim = kSwollen + 0.013f;
   path(graze, Interpolation::linear,
-       {{0, {-1.2f, kHeight + 0.3f, skim + 0.15f}},
-        {1.5f, {0, kHeight, skim}},
-        {kDuration, {1.2f, kHeight - 0.2f, skim + 0.25f}}});
+       {{0, {-2.6f, kHeight + 0.6f, skim + 1}},
+        {2, {-0.8f, kHeight + 0.2f, skim + 0.1f}},
+        {kSecondBall, {0, kHeight, skim}},
+        {4, {0.8f, kHeight - 0.13f, skim + 0.17f}},
+        {kDuration, {2.4f, kHeight - 0.4f, skim + 1.2f}}});
+  // In from the front, resting half-way inside, and out again.
+  path(enter, Interpolation::cubicSpline,
+       {{0, {-1.6f, 0.9f, 2.6f}},
+        {3, {-1, 0.55f, 2}},
+        {3.9f, {-0.1f, 0.65f, 0.35f}},
+        {4.3f, {-0.1f, 0.7f, 0.3f}},
+        {5.1f, {-0.8f, 0.95f, 1.8f}},
+        {kDuration, {-1.3f, 1.1f, 2.5f}}});
+  // Straight through the middle of the body and of its box.
+  const glm::vec3 middle{0, kHeight, 0}, along{0.84f, 0.49f, 0.97f};
+  path(
+      cross, Interpolation::linear,
+      {{0, middle - 2.6f * along}, {4.8f, middle - 1.2f * along}, {5.8f, middle}, {kDuration, middle + 1.44f * along}});
 
-  const Key<std::vector<float>> weights[] = {{0, {0, 0}},        {0.6f, {0, 0.5f}},    {1.1f, {0.6f, 0.2f}},
-                                             {1.5f, {1, 0}},     {1.9f, {0.6f, 0.3f}}, {2.4f, {0.1f, 1}},
-                                             {kDuration, {0, 0}}};
+  const Key<std::vector<float>> weights[] = {{0, {0, 0}},          {0.6f, {0, 0.2f}},     {1.3f, {0.7f, 0.2f}},
+                                             {kFirstBall, {1, 0}}, {kSecondBall, {1, 0}}, {3.6f, {0.7f, 0.3f}},
+                                             {4.4f, {0.1f, 1}},    {5.6f, {0.3f, 0.5f}},  {kDuration, {0, 0}}};
   play.weights(body, Interpolation::cubicSpline, weights);
   scene.animations.push_back(play.finish());
   return scene;
