@@ -66,11 +66,6 @@ std::string GpuContext::versions() const {
          versionText(device_->properties.driverVersion);
 }
 
-std::vector<std::string> GpuContext::takeMessages() {
-  const std::scoped_lock lock(device_->messagesMutex);
-  return std::exchange(device_->messages, {});
-}
-
 std::optional<Error> GpuContext::savePipelineCache() const {
   if (pipelineCache_.empty()) return {};
   return tools::savePipelineCache(*device_, pipelineCache_);

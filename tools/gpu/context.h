@@ -18,7 +18,8 @@ struct GpuOptions {
   double timeout = 60;                  // s that one submission may take
 };
 
-/// One device and one queue. May be moved; what was made from it keeps the device alive. One thread at a time.
+/// One device and one queue. Cheap to copy: copies are the same device, and what was made from it keeps it alive. One
+/// thread at a time.
 class GpuContext {
  public:
   /// An error says what is missing: the loader, a driver (and the package that brings one), the validation layer, a
@@ -33,8 +34,8 @@ class GpuContext {
   /// Fallbacks that were taken and files that were ignored, one line each.
   const std::vector<std::string>& notes() const { return device_->notes; }
 
-  /// Takes the messages of the validation layer since the last call.
-  std::vector<std::string> takeMessages();
+  /// Messages of the validation layer; may be kept beyond the device's end, which brings some.
+  const std::shared_ptr<GpuMessages>& messages() const { return device_->messages; }
 
   /// How many have been created so far.
   int shaderModulesCreated() const { return device_->shaderModulesCreated; }

@@ -18,11 +18,6 @@ GpuDevice::~GpuDevice() {
   if (instance != VK_NULL_HANDLE) vkDestroyInstance(instance, nullptr);
 }
 
-void GpuDevice::addMessage(std::string message) {
-  const std::scoped_lock lock(messagesMutex);
-  messages.push_back(std::move(message));
-}
-
 std::optional<Error> GpuDevice::failure() const {
   if (lost) return vulkanError(VK_ERROR_DEVICE_LOST, properties.deviceName);
   if (hanging) return Error{"the device takes no more work: an earlier submission did not end", properties.deviceName};

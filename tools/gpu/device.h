@@ -2,11 +2,11 @@
 // in any order.
 #pragma once
 
+#include "gpu/messages.h"
 #include "gpu/vulkan_api.h"
 
 #include <atomic>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <vector>
 
@@ -17,8 +17,6 @@ struct GpuDevice {
   ~GpuDevice();
   GpuDevice(const GpuDevice&) = delete;
   GpuDevice& operator=(const GpuDevice&) = delete;
-
-  void addMessage(std::string message);
 
   /// The device takes no more work: an earlier submission was lost, or did not end in time.
   std::optional<Error> failure() const;
@@ -42,9 +40,7 @@ struct GpuDevice {
   std::atomic<int> shaderModulesCreated = 0;
   std::atomic<int> pipelinesCreated = 0;
   std::vector<std::string> notes;
-
-  std::mutex messagesMutex;  // the validation layer may call from any thread
-  std::vector<std::string> messages;
+  std::shared_ptr<GpuMessages> messages = std::make_shared<GpuMessages>();
 };
 
 using SharedDevice = std::shared_ptr<GpuDevice>;

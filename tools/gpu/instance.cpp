@@ -17,19 +17,19 @@ bool hasLayer(const char* name) {
 }
 
 VKAPI_ATTR VkBool32 VKAPI_CALL keepMessage(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
-                                           const VkDebugUtilsMessengerCallbackDataEXT* data, void* device) {
-  static_cast<GpuDevice*>(device)->addMessage(data->pMessage);
+                                           const VkDebugUtilsMessengerCallbackDataEXT* data, void* messages) {
+  static_cast<GpuMessages*>(messages)->add(data->pMessage);
   return VK_FALSE;
 }
 
-VkDebugUtilsMessengerCreateInfoEXT messengerFor(GpuDevice& device) {
+VkDebugUtilsMessengerCreateInfoEXT messengerFor(GpuMessages& messages) {
   auto info = vulkanStruct<VkDebugUtilsMessengerCreateInfoEXT>(VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT);
   info.messageSeverity =
       VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
   // Not GENERAL: there the loader speaks of drivers it did not load, which is no fault of ours.
   info.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT;
   info.pfnUserCallback = keepMessage;
-  info.pUserData = &device;
+  info.pUserData = &messages;
   return info;
 }
 
@@ -42,7 +42,7 @@ std::optional<Error> createInstance(GpuDevice& device, bool validation) {
   auto info = vulkanStruct<VkInstanceCreateInfo>(VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO);
   info.pApplicationInfo = &application;
 
-  VkDebugUtilsMessengerCreateInfoEXT messenger = messengerFor(device);
+  VkDebugUtilsMessengerCreateInfoEXT messenger = messengerFor(*device.messages);
   const VkValidationFeatureEnableEXT synchronisation = VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT;
   auto features = vulkanStruct<VkValidationFeaturesEXT>(VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT);
   const char* extension = VK_EXT_DEBUG_UTILS_EXTENSION_NAME;

@@ -1,0 +1,74 @@
+#include "gpu/gpu_test.h"
+
+#include <memory>
+#include <stdexcept>
+
+namespace rigel::test {
+namespace {
+
+std::unique_ptr<tools::GpuContext> context;
+std::shared_ptr<tools::GpuMessages> messages;
+
+/// Fails whatever test leaves a message behind.
+class MessageListener : public ::testing::EmptyTestEventListener {
+  void OnTestEnd(const ::testing::TestInfo&) override {
+    for (const std::string& message : takeGpuMessages()) ADD_FAILURE() << message;
+  }
+};
+
+/// Destroys the device while messages still count: objects that were never destroyed are told of only then.
+class DeviceEnvironment : public ::testing::Environment {
+  void TearDown() override {
+    if (context == nullptr) return;
+    const std::weak_ptr<tools::GpuDevice> device = context->device();
+    context.reset();
+    EXPECT_TRUE(device.expired()) << "something made from gpu() outlives the tests";
+    for (const std::string& message : takeGpuMessages()) ADD_FAILURE() << message;
+  }
+};
+
+const bool kListening = [] {
+  ::testing::AddGlobalTestEnvironment(new DeviceEnvironment);
+  ::testing::UnitTest::GetInstance()->listeners().Append(new MessageListener);
+  return true;
+}();
+
+[[noreturn]] void fail(const Error& error) { throw std::runtime_error(error.line()); }
+
+}  // namespace
+
+tools::GpuContext& gpu() {
+  if (context == nullptr) {
+    tools::GpuOptions options;
+    options.validation = true;
+    options.preferCpuDevice = true;
+    auto made = tools::GpuContext::create(options);
+    if (!made) fail(made.error());
+    context = std::make_unique<tools::GpuContext>(*std::move(made));
+    messages = context->messages();
+  }
+  return *context;
+}
+
+std::vector<std::string> takeGpuMessages() {
+  return messages != nullptr ? messages->take() : std::vector<std::string>{};
+}
+
+tools::ShaderFunction shaderFunction(const tools::ShaderFunctionSource& source) {
+  auto function = tools::ShaderFunction::create(gpu(), source);
+  if (!function) fail(function.error());
+  return *std::move(function);
+}
+
+std::vector<float> run(tools::ShaderFunction& function, std::span<const float> rows) {
+  auto results = function(rows);
+  if (!results) fail(results.error());
+  return *std::move(results);
+}
+
+std::vector<float> evaluate(const tools::ShaderFunctionSource& source, std::span<const float> rows) {
+  auto function = shaderFunction(source);
+  return run(function, rows);
+}
+
+}  // namespace rigel::test

@@ -1,0 +1,85 @@
+// A shader function beside its C++ twin: both against double precision, the shader allowed at most twice the twin's
+// error.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+namespace rigel::test {
+
+class TwinCheck {
+ public:
+  explicit TwinCheck(std::string name) : name_(std::move(name)) {}
+
+  /// One number: the shader's, the twin's, the truth, and the sum of the absolute values of the terms that add up to
+  /// the truth, which errors are relative to. `describe`: the inputs, a string or a function that returns one (called
+  /// for the worst alone).
+  template <class Describe>
+  void add(float gpuValue, float twinValue, double exactValue, double sumOfAbsoluteTerms, const Describe& describe) {
+    ++comparisons_;
+    twin_.take(relativeError(twinValue, exactValue, sumOfAbsoluteTerms), twinValue, exactValue, describe);
+    gpu_.take(relativeError(gpuValue, exactValue, sumOfAbsoluteTerms), gpuValue, exactValue, describe);
+  }
+
+  /// Fails when nothing was compared, or the shader's worst error is beyond twice the twin's worst. Prints both.
+  void expectWithinTwice() const {
+    std::printf("%s: worst relative error %.3g (shader), %.3g (C++), of %lld numbers\n", name_.c_str(), gpu_.error,
+                twin_.error, comparisons_);
+    EXPECT_GT(comparisons_, 0) << name_ << ": nothing was compared";
+    EXPECT_TRUE(std::isfinite(twin_.error)) << name_ << ": the twin fails: " << twin_.text();
+    // Where the twin happens to hit the truth, the shader may still round its result once.
+    constexpr double kHalfUlp = 0x1p-24;
+    EXPECT_LE(gpu_.error, std::max(2 * twin_.error, kHalfUlp))
+        << name_ << "\n  shader: " << gpu_.text() << "\n  C++: " << twin_.text();
+  }
+
+  double gpuError() const { return gpu_.error; }
+  double twinError() const { return twin_.error; }
+  long long comparisons() const { return comparisons_; }
+
+  /// |value - exact| / sum. The same infinity, or NaN for NaN, is no error; a finite number for either, or the reverse,
+  /// an infinite one, as is a difference where all terms are zero.
+  static double relativeError(float value, double exact, double sum) {
+    if (std::isnan(exact)) return std::isnan(value) ? 0 : std::numeric_limits<double>::infinity();
+    if (static_cast<double>(value) == exact) return 0;
+    const double error = std::abs(static_cast<double>(value) - exact) / sum;
+    return std::isnan(error) ? std::numeric_limits<double>::infinity() : error;
+  }
+
+ private:
+  struct Worst {
+    double error = 0, exact = 0;
+    float value = 0;
+    std::string inputs;
+
+    template <class Describe>
+    void take(double newError, float newValue, double newExact, const Describe& describe) {
+      if (newError <= error) return;
+      error = newError;
+      value = newValue;
+      exact = newExact;
+      if constexpr (std::is_invocable_v<Describe>)
+        inputs = describe();
+      else
+        inputs = describe;
+    }
+    std::string text() const {
+      char numbers[128];
+      std::snprintf(numbers, sizeof(numbers), "%.9g instead of %.17g (%.3g) at ", static_cast<double>(value), exact,
+                    error);
+      return numbers + inputs;
+    }
+  };
+
+  std::string name_;
+  Worst gpu_, twin_;
+  long long comparisons_ = 0;
+};
+
+}  // namespace rigel::test
