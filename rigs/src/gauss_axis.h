@@ -23,9 +23,13 @@ struct GaussAxis {
   /// Lagrange polynomials at u: `out` has an entry a node; they sum to 1. Cost 3 products a node.
   void lagrange(float u, std::span<float> out) const noexcept;
 
+  /// The nodes, and 1 / prod_{j != i} (node_i - node_j) for each, in float.
+  std::span<const float> nodes() const noexcept { return node_; }
+  std::span<const float> inverseScales() const noexcept { return inverseScale_; }
+
  private:
   std::vector<float> node_;
-  std::vector<float> inverseScale_;  // 1 / prod_{j != i} (node_i - node_j)
+  std::vector<float> inverseScale_;
 };
 
 }  // namespace rigel

@@ -30,6 +30,10 @@ class Rig::PolyModel final : public Rig::Model {
     return e;
   }
 
+  /// Monomial k > 0 is monomial divisor(k) < k times coordinate axis(k).
+  int divisor(int k) const noexcept { return terms_[k].from; }
+  int axis(int k) const noexcept { return terms_[k].axis; }
+
   /// Of the moment; 1 but for invquad.
   const Falloff& falloff() const noexcept { return falloff_; }
 

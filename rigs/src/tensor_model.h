@@ -19,6 +19,9 @@ class Rig::TensorModel final : public Rig::Model {
   void setPose(const RigPose& pose) noexcept override;
   void basis(Vec3 p, RigBasis& out) const noexcept override;
 
+  /// @gauss only.
+  const GaussAxis& gaussAxis(int a) const noexcept { return gaussGrid_->axis(a); }
+
  private:
   void buildSamples();
   void buildOperator();

@@ -105,6 +105,7 @@ class Rig {
   class TensorModel;
   class PolyModel;
   friend class SamplePlanner;  // light_bound.h reads the operator
+  friend class GpuRigReader;   // gpu_rig.h the monomials and nodes
   explicit Rig(std::unique_ptr<Model> model) noexcept;
   std::unique_ptr<Model> model_;
 };

@@ -14,6 +14,9 @@ struct vec3 {
 struct vec4 {
   float x = 0, y = 0, z = 0, w = 0;
 };
+struct ivec3 {
+  int x = 0, y = 0, z = 0;
+};
 struct ivec4 {
   int x = 0, y = 0, z = 0, w = 0;
 };
@@ -39,13 +42,59 @@ struct GpuNearLight {
   float unused1;
 };
 
+/// GpuRig::kind.
+const int kGpuRigConstant = 0;
+const int kGpuRigPoly = 1;     // poly and auto
+const int kGpuRigInvquad = 2;  // poly over a falloff
+const int kGpuRigTensor = 3;   // gradient, lattice, mixed
+const int kGpuRigGauss = 4;    // these @gauss
+const int kGpuRigTexture = 5;  // lattice in a 3-D texture (rig_texture.glsl)
+
+/// GpuRig::kernel, as LatticeKernel.
+const int kGpuLinear = 0;
+const int kGpuSmooth = 1;
+const int kGpuCubic = 2;
+
+/// A rig in a frame, made by packRig (gpu_rig.h); its coefficients are in a buffer of vec4 that rigs share.
+struct GpuRig {
+  vec3 centre;      // m, world: of the box, rounded; the axes' w make up for it
+  int offset;       // vec4 where its SH vectors begin
+  vec4 axisX;       // box coordinate u.x = dot(axisX.xyz, p - centre) + axisX.w; all 0 along an axis without extent
+  vec4 axisY;
+  vec4 axisZ;
+  int kind;
+  int vectors;      // K of the frame
+  float scale;      // what is stored times this is pi times radiance SH
+  int highBand;     // 3 or 4: one band beyond the rig's; 0: none
+  ivec3 nodes;      // tensor rigs: along the axes, 1 where there is no lattice
+  int kernel;
+  ivec3 slope;      // tensor rigs: which of a node's vectors is the slope along the axis, 1 to 3, or 0: none
+  int perNode;      // vectors a node: 1 + slopes
+  int highOffset;   // vec4 where the high band begins
+  int gaussOffset;  // vec4 where the nodes of @gauss begin
+  int unused0;
+  int unused1;
+  vec4 falloff[3];  // invquad: of uu, vv, ww, uv | uw, vw, u, v | w, 1, and two unused
+  ivec4 terms[4];   // poly: monomial k is monomial `from` times coordinate `axis`, from * 4 + axis in byte k % 4 of int
+                    // k / 4
+};
+
 #ifdef __cplusplus
 static_assert(sizeof(GpuNearLight) == 64);
 static_assert(offsetof(GpuNearLight, radius) == 12 && offsetof(GpuNearLight, colour) == 16);
 static_assert(offsetof(GpuNearLight, kind) == 28 && offsetof(GpuNearLight, axis) == 32);
 static_assert(offsetof(GpuNearLight, range) == 44 && offsetof(GpuNearLight, cosOuter) == 48);
+static_assert(sizeof(GpuRig) == 240);
+static_assert(offsetof(GpuRig, centre) == 0 && offsetof(GpuRig, offset) == 12 && offsetof(GpuRig, axisX) == 16);
+static_assert(offsetof(GpuRig, axisY) == 32 && offsetof(GpuRig, axisZ) == 48 && offsetof(GpuRig, kind) == 64);
+static_assert(offsetof(GpuRig, vectors) == 68 && offsetof(GpuRig, scale) == 72 && offsetof(GpuRig, highBand) == 76);
+static_assert(offsetof(GpuRig, nodes) == 80 && offsetof(GpuRig, kernel) == 92 && offsetof(GpuRig, slope) == 96);
+static_assert(offsetof(GpuRig, perNode) == 108 && offsetof(GpuRig, highOffset) == 112);
+static_assert(offsetof(GpuRig, gaussOffset) == 116 && offsetof(GpuRig, unused0) == 120);
+static_assert(offsetof(GpuRig, unused1) == 124 && offsetof(GpuRig, falloff) == 128 && offsetof(GpuRig, terms) == 176);
 }  // namespace shader_types
 using shader_types::GpuNearLight;
+using shader_types::GpuRig;
 }  // namespace rigel
 #endif
 
