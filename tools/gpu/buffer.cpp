@@ -7,7 +7,8 @@
 namespace rigel::tools {
 namespace {
 
-constexpr std::size_t kTexelBytes = 16;  // RGBA32F
+std::size_t texelBytes(BufferUse use) { return use == BufferUse::halfTexels ? 8 : 16; }
+bool isTexels(BufferUse use) { return use == BufferUse::texels || use == BufferUse::halfTexels; }
 
 struct Kind {
   const char* name;
@@ -20,6 +21,7 @@ Kind kindOf(BufferUse use) {
     case BufferUse::uniform:
       return {"a uniform buffer", VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, MemoryUse::upload};
     case BufferUse::texels:
+    case BufferUse::halfTexels:
       return {"a texel buffer", VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT, MemoryUse::upload};
     case BufferUse::storage:
       return {"a storage buffer", VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, MemoryUse::upload};
@@ -41,7 +43,8 @@ std::size_t limitOf(const VkPhysicalDeviceLimits& limits, BufferUse use) {
   switch (use) {
     // A larger uniform buffer would be legal, bound in parts; ours are bound whole or in parts that the shader knows.
     case BufferUse::texels:
-      return std::size_t{limits.maxTexelBufferElements} * kTexelBytes;
+    case BufferUse::halfTexels:
+      return std::size_t{limits.maxTexelBufferElements} * texelBytes(use);
     case BufferUse::storage:
     case BufferUse::output:
       return limits.maxStorageBufferRange;
@@ -55,7 +58,7 @@ std::size_t limitOf(const VkPhysicalDeviceLimits& limits, BufferUse use) {
 Result<GpuBuffer> GpuBuffer::create(const GpuContext& context, BufferUse use, std::size_t bytes) {
   const Kind kind = kindOf(use);
   if (bytes == 0) return Error{"no bytes asked for", kind.name};
-  if (use == BufferUse::texels && bytes % kTexelBytes != 0) return Error{"not a whole number of vec4", kind.name};
+  if (isTexels(use) && bytes % texelBytes(use) != 0) return Error{"not a whole number of vec4", kind.name};
   if (const std::size_t limit = limitOf(context.limits(), use); bytes > limit) {
     return Error{std::string(kind.name) + " of " + std::to_string(bytes) + " bytes: the device takes " +
                      std::to_string(limit) + " at most",
@@ -78,8 +81,10 @@ Result<GpuBuffer> GpuBuffer::create(const GpuContext& context, BufferUse use, st
   buffer.memory_ = *memory;
   const VkResult bound = vkBindBufferMemory(device, buffer.handle_, buffer.memory_.handle, 0);
   if (bound != VK_SUCCESS) return vulkanError(bound, kind.name);
-  if (use == BufferUse::texels) {
-    if (const auto error = buffer.createView()) return *error;
+  if (isTexels(use)) {
+    // Every device must read both from texel buffers.
+    const VkFormat format = use == BufferUse::texels ? VK_FORMAT_R32G32B32A32_SFLOAT : VK_FORMAT_R16G16B16A16_SFLOAT;
+    if (const auto error = buffer.createView(format)) return *error;
   }
   return buffer;
 }
@@ -90,10 +95,10 @@ Result<GpuBuffer> GpuBuffer::create(const GpuContext& context, BufferUse use, st
   return buffer;
 }
 
-std::optional<Error> GpuBuffer::createView() {
+std::optional<Error> GpuBuffer::createView(VkFormat format) {
   auto info = vulkanStruct<VkBufferViewCreateInfo>(VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO);
   info.buffer = handle_;
-  info.format = VK_FORMAT_R32G32B32A32_SFLOAT;  // every device must read it from texel buffers
+  info.format = format;
   info.range = VK_WHOLE_SIZE;
   const VkResult result = vkCreateBufferView(device_->device, &info, nullptr, &view_);
   if (result != VK_SUCCESS) return vulkanError(result, "the view of a texel buffer");

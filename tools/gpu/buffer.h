@@ -13,8 +13,9 @@ enum class BufferUse {
   uniform,  // std140 block
   texels,   // samplerBuffer of RGBA32F: the fastest way to per-lane reads on lavapipe (a storage buffer takes 10 times
             // as long)
-  storage,  // std430 block that shaders read
-  output,   // std430 block that shaders write and the host reads
+  halfTexels,  // samplerBuffer of RGBA16F
+  storage,     // std430 block that shaders read
+  output,      // std430 block that shaders write and the host reads
   vertices,
   indices,   // 32 bits each
   upload,    // copied to images
@@ -48,12 +49,12 @@ class GpuBuffer {
   }
 
   VkBuffer handle() const { return handle_; }
-  VkBufferView texelView() const { return view_; }  // BufferUse::texels
+  VkBufferView texelView() const { return view_; }  // of texel buffers
 
  private:
   GpuBuffer() = default;
   void swap(GpuBuffer& other) noexcept;
-  std::optional<Error> createView();
+  std::optional<Error> createView(VkFormat format);
 
   SharedDevice device_;
   GpuMemory memory_;

@@ -5,6 +5,7 @@
 #include <Imath/half.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstring>
 
@@ -98,6 +99,12 @@ std::optional<Error> Texture3d::stage(std::span<const float> rgba) const {
   if (beyond != rgba.end()) return Error{std::to_string(*beyond) + " is beyond half-float range: scale it", kWhat};
   std::ranges::transform(rgba, reinterpret_cast<Imath::half*>(to.data()), [](float v) { return Imath::half(v); });
   return {};
+}
+
+void Texture3d::stage(std::span<const std::byte> texels) const {
+  const std::span<std::byte> to = state_->staging.bytes();
+  assert(texels.size() == to.size());
+  std::ranges::copy(texels, to.begin());
 }
 
 std::array<int, 3> Texture3d::size() const {

@@ -22,6 +22,8 @@ class Texture3d {
 
   /// New values of the same size, for GpuCommands::upload to copy; not while a submission reads the old ones.
   std::optional<Error> stage(std::span<const float> rgba) const;
+  /// The same as the texture holds them: 4 floats or half floats a texel.
+  void stage(std::span<const std::byte> texels) const;
 
   std::array<int, 3> size() const;
   TextureFormat format() const { return state_->format; }
