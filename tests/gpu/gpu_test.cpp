@@ -1,7 +1,6 @@
 #include "gpu/gpu_test.h"
 
 #include <memory>
-#include <stdexcept>
 
 namespace rigel::test {
 namespace {
@@ -33,8 +32,6 @@ const bool kListening = [] {
   return true;
 }();
 
-[[noreturn]] void fail(const Error& error) { throw std::runtime_error(error.line()); }
-
 }  // namespace
 
 tools::GpuContext& gpu() {
@@ -42,9 +39,7 @@ tools::GpuContext& gpu() {
     tools::GpuOptions options;
     options.validation = true;
     options.preferCpuDevice = true;
-    auto made = tools::GpuContext::create(options);
-    if (!made) fail(made.error());
-    context = std::make_unique<tools::GpuContext>(*std::move(made));
+    context = std::make_unique<tools::GpuContext>(must(tools::GpuContext::create(options)));
     messages = context->messages();
   }
   return *context;
@@ -55,16 +50,10 @@ std::vector<std::string> takeGpuMessages() {
 }
 
 tools::ShaderFunction shaderFunction(const tools::ShaderFunctionSource& source) {
-  auto function = tools::ShaderFunction::create(gpu(), source);
-  if (!function) fail(function.error());
-  return *std::move(function);
+  return must(tools::ShaderFunction::create(gpu(), source));
 }
 
-std::vector<float> run(tools::ShaderFunction& function, std::span<const float> rows) {
-  auto results = function(rows);
-  if (!results) fail(results.error());
-  return *std::move(results);
-}
+std::vector<float> run(tools::ShaderFunction& function, std::span<const float> rows) { return must(function(rows)); }
 
 std::vector<float> evaluate(const tools::ShaderFunctionSource& source, std::span<const float> rows) {
   auto function = shaderFunction(source);

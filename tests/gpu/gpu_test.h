@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <span>
+#include <stdexcept>
 #include <vector>
 
 namespace rigel::test {
@@ -17,6 +19,16 @@ tools::GpuContext& gpu();
 
 /// gpu()'s messages since the last call, for tests that provoke some.
 std::vector<std::string> takeGpuMessages();
+
+/// The value, or the test fails with the error.
+template <class T>
+T must(Result<T> result) {
+  if (!result) throw std::runtime_error(result.error().line());
+  return *std::move(result);
+}
+inline void must(const std::optional<Error>& error) {
+  if (error) throw std::runtime_error(error->line());
+}
 
 /// Compiles a function, or fails the test with the compiler's message.
 tools::ShaderFunction shaderFunction(const tools::ShaderFunctionSource& source);

@@ -28,6 +28,16 @@ class GpuCommands {
   /// The staged values into the texture.
   void upload(const Texture3d& texture);
 
+  /// Drawing into a target: all of it, cleared (depth to 1). Clip space has y up and z from 0 to 1.
+  void beginPass(const RasterTarget& target, std::span<const VkClearColorValue> clear);
+  void bindVertices(std::uint32_t stream, const GpuBuffer& buffer, std::size_t offset = 0);
+  void bindIndices(const GpuBuffer& buffer, std::size_t offset = 0);
+  void draw(std::uint32_t vertices, std::uint32_t firstVertex = 0);
+  void drawIndexed(std::uint32_t indices, std::uint32_t firstIndex = 0, std::int32_t vertexOffset = 0);
+  void endPass();
+  /// After a pass: an image of its target, row by row from the top, into a BufferUse::readBack.
+  void read(const GpuImage& image, const GpuBuffer& to);
+
   /// A moment in the work, when all before it is done. Returns its number, from 0; at most kMaxMarks.
   int mark();
 

@@ -66,6 +66,11 @@ std::string GpuContext::versions() const {
          versionText(device_->properties.driverVersion);
 }
 
+std::size_t GpuContext::uniformStride(std::size_t bytes) const {
+  const std::size_t alignment = limits().minUniformBufferOffsetAlignment;
+  return (bytes + alignment - 1) / alignment * alignment;
+}
+
 std::optional<Error> GpuContext::savePipelineCache() const {
   if (pipelineCache_.empty()) return {};
   return tools::savePipelineCache(*device_, pipelineCache_);

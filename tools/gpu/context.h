@@ -31,6 +31,8 @@ class GpuContext {
   /// "Vulkan 1.3.230, driver 0.0.1".
   std::string versions() const;
   const VkPhysicalDeviceLimits& limits() const { return device_->properties.limits; }
+  /// `bytes` rounded up to where the next dynamic uniform block may start.
+  std::size_t uniformStride(std::size_t bytes) const;
   /// Fallbacks that were taken and files that were ignored, one line each.
   const std::vector<std::string>& notes() const { return device_->notes; }
 
