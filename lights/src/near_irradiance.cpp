@@ -3,18 +3,26 @@
 // floats (the rounding errors of differences and squares kept, by fma) is as good as double where there is none.
 #include <rigel/near_light.h>
 #include <rigel/project.h>
+#include <rigel/shader_near_cap.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "near_cap.h"
 #include "vec3d.h"
 
 namespace rigel {
 namespace {
 
-using detail::kPiFloat;
+constexpr auto kPiFloat = static_cast<float>(kPi);
+
+/// nearWrap(0) as far as Lambert looks at it.
+constexpr NearWrap lambertWrap() noexcept {
+  NearWrap wrap{};
+  wrap.inverse = 1;
+  wrap.gain = 1;
+  return wrap;
+}
 
 /// A light as one receiver sees it: outside s = r/d, inside s = d/r; the irradiance is `scale` times the light's colour
 /// times a function of x, s and c.
@@ -95,15 +103,15 @@ float outsideOrIn(const NearView& view, float wholeSphere, const Cap& cap) noexc
 
 Rgb nearIrradiance(const NearLight& light, Vec3 p, Vec3 n, const NearWrap& wrap) noexcept {
   const NearView view = viewOf(light, p, n);
-  const float e = wrap.a == 0 ? outsideOrIn(view, 1, detail::lambertCap)
-                              : outsideOrIn(view, 4 * wrap.band[0], [&](float x, float s, float c) noexcept {
+  const float e = wrap.a == 0 ? wrap.gain * outsideOrIn(view, 1, detail::lambertCap)
+                              : outsideOrIn(view, wrap.f.x, [&](float x, float s, float c) noexcept {
                                   return detail::wrapCap(x, s, c, wrap);
                                 });
   return scaled(light.colour, light.share * view.scale * e);
 }
 
 Rgb nearIrradiance(const NearLight& light, Vec3 p, Vec3 n, float wrap) noexcept {
-  return nearIrradiance(light, p, n, wrap == 0 ? NearWrap{} : nearWrap(wrap));
+  return nearIrradiance(light, p, n, wrap == 0 ? lambertWrap() : nearWrap(wrap));
 }
 
 Rgb cheapIrradiance(const NearLight& light, Vec3 p, Vec3 n) noexcept {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "vec3d.h"
 
@@ -11,7 +12,10 @@ namespace {
 
 using detail::Vec3d;
 
-static_assert(sizeof(NearLight) == 15 * sizeof(float), "copied to GPUs as it is");
+static_assert(static_cast<int>(NearLight::Kind::directional) == shader_types::kGpuDirectional);
+static_assert(static_cast<int>(NearLight::Kind::point) == shader_types::kGpuPoint);
+static_assert(static_cast<int>(NearLight::Kind::spot) == shader_types::kGpuSpot);
+static_assert(static_cast<int>(NearLight::Kind::sphere) == shader_types::kGpuSphere);
 
 NearLight black(NearLight::Kind kind) noexcept {
   NearLight out;
@@ -73,26 +77,22 @@ NearLight nearLight(const SphereLight& light, float share) noexcept {
   return out;
 }
 
-// Blur and highBandShare (near_cap.h) were fitted together, to exact irradiance over s in [0, 1] and all normals. The
-// blur at s is `width` s sqrt(1-a^2)/(1+a), the light's angular size at the horizon. It adds a bump at x = -a to the
-// kernel, whose bands are its area, (2/(2p+1) - 1/(p+1)) width^(p+1) for the power p = 1 + a, times P_l(-a); the fit's
-// `area` stands for what is not width^2 in it.
-NearWrap nearWrap(float wrap) noexcept {
-  NearWrap out;
-  out.a = clampWrap(wrap);
-  out.inverse = 1 / (1 + out.a);
-  const std::array<float, 5> f = wrapCoefficients<5>(out.a);
-  for (int l = 0; l < 5; ++l) out.band[l] = 0.25f * static_cast<float>(2 * l + 1) * f[l];
-
-  const double a = out.a;
-  const double width = std::max(0.0, 0.746 + a * (0.3718 - a * 1.7425));
-  const double area = 0.2042 + a * (-0.6257 + a * 0.5433);
-  const double blur = width * std::sqrt((1 - a) / (1 + a));
-  out.blur = static_cast<float>(blur);
-  const double a2 = a * a;
-  const double legendre[5] = {1, -a, 1.5 * a2 - 0.5, -a * (2.5 * a2 - 1.5), (35 * a2 * a2 - 30 * a2 + 3) / 8};
-  for (int l = 0; l < 5; ++l)
-    out.blurBand[l] = static_cast<float>((l + 0.5) * (1 + a) * area * blur * blur * legendre[l]);
+GpuNearLight gpuNearLight(const NearLight& light) noexcept {
+  const bool sphere = light.kind == NearLight::Kind::sphere;
+  const bool spot = light.kind == NearLight::Kind::spot;
+  const float scale = light.share * (sphere ? static_cast<float>(kPi) : 1.0f);
+  // A window that ends closer than floats can invert leaves no light at any distance that counts, as it should.
+  constexpr float kMaxInverse = std::numeric_limits<float>::max();
+  GpuNearLight out;
+  out.position = {light.position.x, light.position.y, light.position.z};
+  out.radius = light.radius;
+  out.colour = {light.colour.r * scale, light.colour.g * scale, light.colour.b * scale};
+  out.kind = static_cast<int>(light.kind);
+  if (spot) out.axis = {light.axis.x, light.axis.y, light.axis.z};
+  if (light.kind == NearLight::Kind::point || spot) out.inverseRange = std::min(1 / light.range, kMaxInverse);
+  out.cosOuter = spot ? light.cosOuter : -1.0f;
+  out.inverseConeWidth = spot ? 1 / std::max(light.cosInner - light.cosOuter, kMinConeWidth) : 1.0f;
+  out.extent = sphere ? light.radius : 1.0f;
   return out;
 }
 

@@ -7,7 +7,7 @@
 
 namespace rigel {
 
-/// A light of any kind as the near path reads it. Plain floats, so that it can be copied to a GPU as it is.
+/// A light of any kind as the near path reads it.
 struct NearLight {
   enum class Kind : int { directional, point, spot, sphere };
   Kind kind = Kind::sphere;
@@ -27,22 +27,20 @@ NearLight nearLight(const PointLight& light, float share = 1) noexcept;
 NearLight nearLight(const SpotLight& light, float share = 1) noexcept;
 NearLight nearLight(const SphereLight& light, float share = 1) noexcept;
 
-/// What the near path needs of a wrap; made once a material (about 40 ns).
-struct NearWrap {
-  float a = 0;
-  float inverse = 1;                                              // 1 / (1 + a)
-  std::array<float, 5> band{0.25f, 0.5f, 0.3125f, 0, -0.09375f};  // (2l+1)/4 f_l: the kernel is sum_l band[l] P_l
-  float blur = 0;                   // half width of the blurred horizon in (x+a)/(1+a), per s
-  std::array<float, 5> blurBand{};  // what the blur adds to the bands, per s^2
-};
-NearWrap nearWrap(float a) noexcept;
+/// The light as shaders read it, what they would have to divide divided.
+GpuNearLight gpuNearLight(const NearLight& light) noexcept;
 
-/// share * irradiance [W/m2] at `p` with unit normal `n`: horizon clipped, window and cone at p, and inside a sphere
-/// the continuous extension, as exact.h. Largest error relative to the light's peak over normals, at any distance,
-/// touching and inside: Lambert (a = 0) 5e-7; wrap 0.8 % for a in (0, 1), 1.1 % from -0.1 and 2.1 % from -0.25; a = 1
-/// 5e-7. A spot's cone adds what float leaves of it, 2e-7 / (cosInner - cosOuter). Wrap takes one power (none where
-/// r/d > 0.6); Lambert takes two inverse functions where the light crosses the horizon and nothing elsewhere. NaN in p
-/// or n gives 0; every result is finite, held to kMaxProjectionScale (project.h). No allocation; any number of threads.
+/// What the near path needs of a wrap: the same here and on the GPU (wrap.h).
+using NearWrap = GpuWrap;
+inline NearWrap nearWrap(float a = 0) noexcept { return gpuWrap(a); }
+
+/// share * wrap.gain * irradiance [W/m2] at `p` with unit normal `n`: horizon clipped, window and cone at p, and inside
+/// a sphere the continuous extension, as exact.h. Largest error relative to the light's peak over normals, at any
+/// distance, touching and inside: Lambert (a = 0) 5e-7; wrap 0.8 % for a in (0, 1), 1.1 % from -0.1 and 2.1 % from
+/// -0.25; a = 1 5e-7. A spot's cone adds what float leaves of it, 2e-7 / (cosInner - cosOuter). Wrap takes one power,
+/// as a polynomial (none where r/d > 0.6); Lambert takes two inverse functions where the light crosses the horizon and
+/// nothing elsewhere. NaN in p or n gives 0; every result is finite, held to kMaxProjectionScale (project.h). No
+/// allocation; any number of threads.
 Rgb nearIrradiance(const NearLight& light, Vec3 p, Vec3 n, const NearWrap& wrap) noexcept;
 
 /// The same, for a wrap that is not kept.

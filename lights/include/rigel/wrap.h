@@ -3,13 +3,15 @@
 #pragma once
 
 #include <rigel/sh.h>
+#include <rigel/shader_constants.h>
+#include <rigel/shader_types.h>
 
 namespace rigel {
 
 /// The range in which a is meaningful; functions clamp to it. Towards a = -1 the kernel becomes a delta and no SH of a
 /// few bands holds it; above 1 the published coefficients no longer match the kernel.
-inline constexpr float kMinWrap = -0.25f;
-inline constexpr float kMaxWrap = 1.0f;
+inline constexpr float kMinWrap = static_cast<float>(kRigelMinWrap);
+inline constexpr float kMaxWrap = static_cast<float>(kRigelMaxWrap);
 
 /// `a` held within [kMinWrap, kMaxWrap]; NaN gives 0 (Lambert). What every function below does to its wrap argument,
 /// wrapKernel apart.
@@ -26,5 +28,15 @@ std::array<float, B> wrapCoefficients(float a) noexcept;
 /// Convolution with the wrap kernel: E_lm = pi f_l(a) L_lm.
 template <int B>
 IrradianceSH<B> irradianceFromRadiance(const RadianceSH<B>& radiance, float wrap = 0) noexcept;
+
+/// 1 / f_0(a) = (2+a) / (2(1+a)): the published kernel reflects more light than it receives, f_0 = 1.2 times at a = 0.5
+/// and 4/3 at a = 1, and irradiance times this is that of the kernel which reflects exactly what it receives (under
+/// uniform radiance L, E = pi L for every a). 1 for Lambert.
+float wrapEnergy(float a) noexcept;
+
+/// What shaders need of a material's wrap, and the near path here (near_light.h); made once a material (about 60 ns).
+/// `gain` multiplies the kernel and with it every irradiance: wrapEnergy(a) for the energy-normalised one, 1 for the
+/// published one. A gain that is not a positive finite number gives 0.
+GpuWrap gpuWrap(float a, float gain = 1) noexcept;
 
 }  // namespace rigel

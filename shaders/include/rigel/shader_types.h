@@ -28,16 +28,31 @@ const int kGpuPoint = 1;
 const int kGpuSpot = 2;
 const int kGpuSphere = 3;
 
-/// A light evaluated exactly at every point (near_light.h).
+/// A light evaluated exactly at every point, made by gpuNearLight (near_light.h). Where s = r/d, its irradiance is
+/// colour (extent / max(d, r))^2 times a function of s and the normal.
 struct GpuNearLight {
   vec3 position;  // m, world; directional: unit vector towards the light
   float radius;   // m
-  vec3 colour;    // of the light's own struct, times its share
+  vec3 colour;    // of the light's own struct, times its share; sphere: times pi
   int kind;
-  vec3 axis;    // spot: unit, the way the light travels
-  float range;  // m; infinity: no window
-  float cosOuter;
-  float inverseConeWidth;  // 1 / (cosInner - cosOuter)
+  vec3 axis;               // spot: unit, the way the light travels; else 0
+  float inverseRange;      // 1/m; 0: no window
+  float cosOuter;          // not a spot: -1
+  float inverseConeWidth;  // 1 / (cosInner - cosOuter); not a spot: 1, so that the cone is 1 everywhere
+  float extent;            // m; sphere: the radius; else 1
+  float unused;
+};
+
+/// A material's wrap, made by gpuWrap (wrap.h).
+struct GpuWrap {
+  vec4 f;           // f_0 to f_3, times gain
+  float f4;         // f_4, times gain
+  float a;          // within [-0.25, 1]; 0: Lambert
+  float inverse;    // 1 / (1 + a)
+  float gain;       // of the kernel; 1 as published
+  vec4 blurBand;    // what the blurred horizon adds to f_0 to f_3, per s^2; times gain
+  float blurBand4;  // to f_4
+  float blur;       // half width of the blurred horizon in (x+a)/(1+a), per s
   float unused0;
   float unused1;
 };
@@ -81,9 +96,16 @@ struct GpuRig {
 
 #ifdef __cplusplus
 static_assert(sizeof(GpuNearLight) == 64);
-static_assert(offsetof(GpuNearLight, radius) == 12 && offsetof(GpuNearLight, colour) == 16);
-static_assert(offsetof(GpuNearLight, kind) == 28 && offsetof(GpuNearLight, axis) == 32);
-static_assert(offsetof(GpuNearLight, range) == 44 && offsetof(GpuNearLight, cosOuter) == 48);
+static_assert(offsetof(GpuNearLight, position) == 0 && offsetof(GpuNearLight, radius) == 12);
+static_assert(offsetof(GpuNearLight, colour) == 16 && offsetof(GpuNearLight, kind) == 28);
+static_assert(offsetof(GpuNearLight, axis) == 32 && offsetof(GpuNearLight, inverseRange) == 44);
+static_assert(offsetof(GpuNearLight, cosOuter) == 48 && offsetof(GpuNearLight, inverseConeWidth) == 52);
+static_assert(offsetof(GpuNearLight, extent) == 56 && offsetof(GpuNearLight, unused) == 60);
+static_assert(sizeof(GpuWrap) == 64);
+static_assert(offsetof(GpuWrap, f) == 0 && offsetof(GpuWrap, f4) == 16 && offsetof(GpuWrap, a) == 20);
+static_assert(offsetof(GpuWrap, inverse) == 24 && offsetof(GpuWrap, gain) == 28 && offsetof(GpuWrap, blurBand) == 32);
+static_assert(offsetof(GpuWrap, blurBand4) == 48 && offsetof(GpuWrap, blur) == 52 && offsetof(GpuWrap, unused0) == 56);
+static_assert(offsetof(GpuWrap, unused1) == 60);
 static_assert(sizeof(GpuRig) == 240);
 static_assert(offsetof(GpuRig, centre) == 0 && offsetof(GpuRig, offset) == 12 && offsetof(GpuRig, axisX) == 16);
 static_assert(offsetof(GpuRig, axisY) == 32 && offsetof(GpuRig, axisZ) == 48 && offsetof(GpuRig, kind) == 64);
@@ -95,6 +117,7 @@ static_assert(offsetof(GpuRig, unused1) == 124 && offsetof(GpuRig, falloff) == 1
 }  // namespace shader_types
 using shader_types::GpuNearLight;
 using shader_types::GpuRig;
+using shader_types::GpuWrap;
 }  // namespace rigel
 #endif
 
