@@ -1,5 +1,14 @@
 #include "gpu/gpu_test.h"
 
+#ifdef __SANITIZE_ADDRESS__
+#include <sanitizer/lsan_interface.h>
+
+/// Leaks of the system's libraries; Rigel's own still count.
+extern "C" const char* __lsan_default_suppressions() {
+  return "leak:libVkLayer_khronos_validation.so\nleak:libvulkan_lvp.so\nleak:libLLVM\n";
+}
+#endif
+
 #include <memory>
 
 namespace rigel::test {
@@ -19,6 +28,11 @@ class MessageListener : public ::testing::EmptyTestEventListener {
 class DeviceEnvironment : public ::testing::Environment {
   void TearDown() override {
     if (context == nullptr) return;
+#ifdef __SANITIZE_ADDRESS__
+    // Instead of at the end of the process: with its last device the driver is unloaded, and what it keeps in globals
+    // (LLVM's tables) then looks lost.
+    __lsan_do_leak_check();
+#endif
     const std::weak_ptr<tools::GpuDevice> device = context->device();
     context.reset();
     EXPECT_TRUE(device.expired()) << "something made from gpu() outlives the tests";
