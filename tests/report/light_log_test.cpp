@@ -15,7 +15,8 @@ LightVerdict near() { return {LightRole::near, 1, 6, 0.1f}; }
 LightVerdict culled() { return {LightRole::culled, 0, 0, 0}; }
 
 /// One light through the frames 10, 11, ...; bounds are over a mean of 2 W/m2.
-LightUse useOf(const std::vector<LightVerdict>& verdicts, const LightingOptions& asked = {}) {
+LightUse useOf(const std::vector<LightVerdict>& verdicts, const LightingOptions& asked = {},
+               std::optional<float> budget = {}) {
   LightLog log;
   std::vector<int> frames;
   for (const LightVerdict& verdict : verdicts) {
@@ -23,7 +24,7 @@ LightUse useOf(const std::vector<LightVerdict>& verdicts, const LightingOptions&
     frames.push_back(10 + static_cast<int>(frames.size()));
   }
   const std::vector<LightRow> lights{{"lamp", "sphere", ""}};
-  return log.uses({lights, frames, 2, asked}).at(0);
+  return log.uses({lights, frames, 2, asked, budget}).at(0);
 }
 
 LightingOptions aimingAt(Kind kind, float value) {
@@ -56,9 +57,9 @@ TEST(LightLog, SaysWhy) {
   EXPECT_EQ(useOf({far(1), blended(0.5f), near(), near(), blended(0.1f)}, target).why,
             "near in frames 12-13: in the rig it could be wrong by 300 % of the mean light (target 5.00 %); partly in "
             "frames 11, 14");
-  EXPECT_EQ(useOf({far(1), blended(0.5f), culled()}, aimingAt(Kind::budget, 200)).why,
-            "partly near in frame 11: in the rig it could be wrong by 150 % of the mean light (budget 200 us); gives "
-            "nothing in frame 12");
+  EXPECT_EQ(useOf({far(1), blended(0.5f), culled()}, target, 200).why,
+            "partly near in frame 11: in the rig it could be wrong by 150 % of the mean light (200 us a frame for "
+            "all objects); gives nothing in frame 12");
   EXPECT_EQ(useOf({near(), far(1), near(), far(1), near(), near(), far(100)}, target).why,
             "near in frames 10, 12 and 1 more stretch: in the rig it could be wrong by 50 times the mean light (target "
             "5.00 %)");
@@ -69,7 +70,7 @@ TEST(LightLog, SaysWhy) {
   EXPECT_EQ(useOf({far(0.2f)}, target).why,
             "far: in the rig it is wrong by at most 10.0 % of the mean light; by the rig's estimate the target is met "
             "without it");
-  EXPECT_EQ(useOf({far(0.2f)}, aimingAt(Kind::budget, 200)).why,
+  EXPECT_EQ(useOf({far(0.2f)}, target, 200).why,
             "far: in the rig it is wrong by at most 10.0 % of the mean light; others take the budget");
   EXPECT_EQ(useOf({far(0.2f)}, two).why,
             "far: in the rig it is wrong by at most 10.0 % of the mean light; others come before it");
@@ -90,7 +91,7 @@ TEST(LightLog, KeepsTheCourseOfTheLightsThatMatter) {
     log.add(verdicts);
     const int number = 0;
     std::vector<std::string> names;
-    for (const LightUse& use : log.uses({lights, {&number, 1}, 2, {}}))
+    for (const LightUse& use : log.uses({lights, {&number, 1}, 2, {}, {}}))
       if (!use.bounds.empty()) names.push_back(use.name);
     return names;
   };
@@ -108,7 +109,7 @@ TEST(LightLog, WithoutLightBoundsAreZero) {
   log.add({&verdict, 1});
   const std::vector<LightRow> lights{{"lamp", "sphere", ""}};
   const int number = 0;
-  EXPECT_EQ(log.uses({lights, {&number, 1}, 0, {}}).at(0).bound, 0);
+  EXPECT_EQ(log.uses({lights, {&number, 1}, 0, {}, {}}).at(0).bound, 0);
 }
 
 }  // namespace

@@ -58,12 +58,30 @@ TEST(RunOptions, AutoRigsChooseAndOthersWhenTold) {
   EXPECT_EQ(lightingOptions(adaptive, options).nearSlots, 2);
 
   options.near = NearChoice{true, 0};
-  options.target = LightingTarget{Kind::budget, 200};
+  options.target = LightingTarget{Kind::totalError, 0.03f};
   for (const RigSpec& rig : {fixed, adaptive}) {
-    EXPECT_EQ(lightingOptions(rig, options).target.kind, Kind::budget);
-    EXPECT_EQ(lightingOptions(rig, options).target.value, 200);
+    EXPECT_EQ(lightingOptions(rig, options).target.kind, Kind::totalError);
+    EXPECT_EQ(lightingOptions(rig, options).target.value, 0.03f);
     EXPECT_EQ(lightingOptions(rig, options).nearSlots, kMaxNearLights);
   }
+}
+
+TEST(RunOptions, ABudgetLimitsWhatIsSpentOnATarget) {
+  using Kind = LightingTarget::Kind;
+  RunOptions options = good();
+  const RigSpec adaptive = *parseRigSpec("auto");
+  options.rigs.push_back(adaptive);
+  options.budget = 1500;
+  EXPECT_FALSE(checkOptions(options));
+  EXPECT_EQ(lightingOptions(adaptive, options).target.kind, Kind::totalError) << "what is seen";
+  EXPECT_EQ(lightingOptions(adaptive, options).target.value, 0.02f);
+  EXPECT_EQ(choiceOptions(adaptive, options), "--near auto --budget-us 1500");
+  EXPECT_EQ(choiceOptions(options.rigs[0], options), "");
+  options.target = LightingTarget{Kind::spatialError, 0.1f};
+  EXPECT_FALSE(checkOptions(options));
+  EXPECT_EQ(lightingOptions(adaptive, options).target.kind, Kind::spatialError);
+  EXPECT_EQ(lightingOptions(adaptive, options).target.value, 0.1f);
+  EXPECT_EQ(choiceOptions(adaptive, options), "--near auto --error 0.1 --budget-us 1500");
 }
 
 TEST(RunOptions, GoodOnesPass) {
@@ -107,7 +125,16 @@ TEST(RunOptions, ValuesNoRunCanServeAreNamed) {
   EXPECT_EQ(aimingAt(Kind::totalError, 5, "auto"),
             "--total-error 5: must be more than 0 and at most 1 (0.05 is 5 % of the mean light)");
   EXPECT_THAT(aimingAt(Kind::spatialError, nan, "auto"), testing::StartsWith("--error nan: must be more than 0"));
-  EXPECT_EQ(aimingAt(Kind::budget, 0, "auto"), "--budget-us 0: must be more than 0 and at most 1000000 microseconds");
+  const auto within = [&](float budget, const char* rigs) {
+    return messageOf([&](RunOptions& o) {
+      o.budget = budget;
+      o.rigs = *parseRigSpecs(rigs);
+    });
+  };
+  EXPECT_EQ(within(0, "auto"), "--budget-us 0: must be more than 0 and at most 1000000 microseconds");
+  EXPECT_THAT(within(nan, "auto"), testing::StartsWith("--budget-us nan: must be more than 0"));
+  EXPECT_EQ(within(100, "poly:6"),
+            "--budget-us 100: no rig here chooses anything: that takes an `auto` rig or --near auto");
   EXPECT_EQ(messageOf([&](RunOptions& o) { o.rigs.clear(); }), "--rig: names no rig");
   EXPECT_EQ(messageOf([&](RunOptions& o) { o.frames.step = 0; }), "--frames: the range is empty");
 }

@@ -1,9 +1,5 @@
 // Whole runs without pictures: what is compared with what, and what the notes say.
-#include "report/scene_run.h"
-
-#include "scene/gltf_load.h"
-#include "scene/gltf_save.h"
-#include "support/temporary_folder.h"
+#include "whole_run.h"
 
 #include <gmock/gmock.h>
 
@@ -14,35 +10,10 @@ namespace {
 
 using namespace rigel::tools;
 
-RunOptions quick(const std::string& scene, const std::string& frames) {
-  RunOptions options;
-  options.scenes = {scene};
-  options.rigs = *parseRigSpecs("constant;lattice:2x2x2");
-  options.frames = *parseFrameRange(frames);
-  options.images = false;
-  options.samples = 64;
-  return options;
-}
-
-Result<Report> run(const RunOptions& options) {
-  return runReport(options, {}, [](double, const std::string&) {});
-}
-
 const ObjectReport& firstObject(const Result<Report>& report) { return report->scenes.at(0).objects.at(0); }
 
-/// A scene as a file, gone with the guard.
-struct SavedScene {
-  test::TemporaryFolder folder;
-  const std::string file = folder / "scene.glb";
-
-  explicit SavedScene(const Scene& scene) {
-    const auto saved = saveGltf(scene, file);
-    EXPECT_TRUE(saved) << (saved ? "" : saved.error().line());
-  }
-};
-
 TEST(SceneRun, OnlyNeighbouringFramesMakeAJump) {
-  const auto all = run(quick("sample:street", "10:16"));
+  const auto all = run(quickRun("sample:street", "10:16"));
   ASSERT_TRUE(all) << all.error().line();
   for (const RigReport& rig : firstObject(all).rigs) {
     ASSERT_TRUE(rig.maxJump) << rig.spec;
@@ -56,7 +27,7 @@ TEST(SceneRun, OnlyNeighbouringFramesMakeAJump) {
     EXPECT_GT(*truth[i].movement, 0) << i;
   }
   for (const char* frames : {"10:16:2", "12"}) {
-    const auto some = run(quick("sample:street", frames));
+    const auto some = run(quickRun("sample:street", frames));
     ASSERT_TRUE(some) << some.error().line();
     for (const RigReport& rig : firstObject(some).rigs) EXPECT_FALSE(rig.maxJump) << frames << rig.spec;
     for (const TruthFrame& frame : firstObject(some).truth) EXPECT_FALSE(frame.movement) << frames;
@@ -74,7 +45,7 @@ TEST(SceneRun, TheSeamOfALoopIsNoJump) {
   }
   street->animations[0].duration = kCut;
   const SavedScene saved(*street);
-  RunOptions options = quick(saved.file, "0:13");
+  RunOptions options = quickRun(saved.file, "0:13");
   options.lights = "sample:stage";
   const auto report = run(options);
   ASSERT_TRUE(report) << report.error().line();
@@ -88,13 +59,13 @@ TEST(SceneRun, TheSeamOfALoopIsNoJump) {
 }
 
 TEST(SceneRun, NotesSayWhatTheOptionsLeaveOut) {
-  RunOptions options = quick("sample:street", "0");
+  RunOptions options = quickRun("sample:street", "0");
   options.lights = "sample:stage";
   const auto borrowed = run(options);
   ASSERT_TRUE(borrowed) << borrowed.error().line();
   EXPECT_THAT(borrowed->scenes.at(0).notes,
               testing::Contains(testing::MatchesRegex("its own [0-9]+ lights are left out: --lights sample:stage")));
-  const auto own = run(quick("sample:street", "0"));
+  const auto own = run(quickRun("sample:street", "0"));
   ASSERT_TRUE(own);
   EXPECT_THAT(own->scenes.at(0).notes, testing::Not(testing::Contains(testing::HasSubstr("left out: --lights"))));
 
@@ -106,7 +77,7 @@ TEST(SceneRun, NotesSayWhatTheOptionsLeaveOut) {
   for (Channel& channel : brief.channels)
     for (float& time : channel.times) time /= 100;
   const SavedScene saved(*street);
-  options = quick(saved.file, "10:11");
+  options = quickRun(saved.file, "10:11");
   options.clip = "all";
   const auto report = run(options);
   ASSERT_TRUE(report) << report.error().line();
@@ -115,7 +86,7 @@ TEST(SceneRun, NotesSayWhatTheOptionsLeaveOut) {
 }
 
 TEST(SceneRun, RefusesWhatNoRunCanServe) {
-  RunOptions options = quick("sample:street", "0");
+  RunOptions options = quickRun("sample:street", "0");
   options.wrap = std::nanf("");
   const auto wrap = run(options);
   ASSERT_FALSE(wrap);
@@ -125,7 +96,7 @@ TEST(SceneRun, RefusesWhatNoRunCanServe) {
   ASSERT_TRUE(street);
   street->lights.at(0) = {"sun", DirectionalLight{{0, 0, -1}, {1e35f, 0, 0}}};
   const SavedScene saved(*street);
-  options = quick(saved.file, "0");
+  options = quickRun(saved.file, "0");
   options.exposure = 1e4f;
   const auto sun = run(options);
   ASSERT_FALSE(sun);

@@ -41,17 +41,11 @@ struct Arguments {
   std::string out;
 };
 
-Result<std::optional<LightingTarget>> targetOf(const Arguments& a) {
+std::optional<LightingTarget> targetOf(const Arguments& a) {
   using Kind = LightingTarget::Kind;
-  std::optional<LightingTarget> target;
-  for (const auto& [kind, value] :
-       {std::pair{Kind::spatialError, a.error}, {Kind::totalError, a.totalError}, {Kind::budget, a.budget}}) {
-    if (!value) continue;
-    if (target)
-      return Error{"only one target can be aimed at", targetOption(*target) + " " + targetOption({kind, *value})};
-    target = LightingTarget{kind, *value};
-  }
-  return target;
+  if (a.error) return LightingTarget{Kind::spatialError, *a.error};
+  if (a.totalError) return LightingTarget{Kind::totalError, *a.totalError};
+  return std::nullopt;
 }
 
 Result<RunOptions> parse(const Arguments& arguments) {
@@ -71,9 +65,11 @@ Result<RunOptions> parse(const Arguments& arguments) {
     if (!near) return near.error();
     options.near = *near;
   }
-  const auto target = targetOf(arguments);
-  if (!target) return target.error();
-  options.target = *target;
+  if (arguments.error && arguments.totalError)
+    return Error{"only one of the two can be aimed at",
+                 fmt::format("--error {:g} --total-error {:g}", *arguments.error, *arguments.totalError)};
+  options.target = targetOf(arguments);
+  options.budget = arguments.budget;
   if (arguments.wrapGiven->count() > 0) options.wrap = arguments.wrap;
   options.bands = arguments.bands;
   options.exposure = arguments.exposure;
@@ -92,7 +88,7 @@ std::string commandLine(const Arguments& a) {
   if (a.frames != "0:") line += " --frames " + a.frames;
   if (a.rate != kDefaultRate) line += fmt::format(" --rate {}", a.rate);
   if (!a.near.empty()) line += " --near " + a.near;
-  if (const auto target = targetOf(a); target && *target) line += " " + targetOption(**target);
+  if (const std::string aim = aimOptions(targetOf(a), a.budget); !aim.empty()) line += " " + aim;
   if (a.wrapGiven->count() > 0) line += fmt::format(" --wrap {}", a.wrap);
   if (a.bands != kDefaultBands) line += fmt::format(" --bands {}", a.bands);
   if (a.exposure != 1) line += fmt::format(" --exposure {}", a.exposure);
@@ -154,7 +150,9 @@ Command addReport(CLI::App& root) {
   app->add_option("--error", arguments->error,
                   "What `auto` and --near auto aim at: spatial RMS error over the mean light [0.05]");
   app->add_option("--total-error", arguments->totalError, "The same for the total RMS error");
-  app->add_option("--budget-us", arguments->budget, "Or a time: modelled microseconds a frame for 10000 points");
+  app->add_option("--budget-us", arguments->budget,
+                  "Time for all objects of a frame together, in modelled microseconds, 10000 points an object:\n"
+                  "what each aims at is then given up where it shows least [no limit]");
   arguments->wrapGiven =
       app->add_option("--wrap", arguments->wrap, "Wrap reflectance of everything; 0 is Lambert [the materials']")
           ->check(CLI::Range(kMinWrap, kMaxWrap));

@@ -67,11 +67,11 @@ class Photographer {
 
   const std::vector<Rgb>& truth() const { return exact_; }
 
-  /// Irradiance at every sample as `rig`, fitted to this frame, gives it: clamped, scenery by the truth. Near lights
-  /// that fade after a switch or a teleport are shown as they end up.
-  std::vector<Rgb> irradianceOf(RigRunner& rig, const LightSet& lights) const {
-    rig.reset();
-    rig.fit(run_.object(), posed_, lights, 0);
+  /// Irradiance at every sample as a rig of the run, lit to this frame, gives it: clamped, scenery by the truth. Near
+  /// lights that fade after a switch or a teleport are shown as they end up.
+  std::vector<Rgb> irradianceOf(std::size_t rigIndex, std::size_t frame, const LightSet& lights) const {
+    run_.relight(rigIndex, frame, posed_, lights);
+    RigRunner& rig = run_.rig(rigIndex);
     std::vector<RigRunner::Shaded> shaded(points_.size());
     rig.shade(points_, wraps_, shaded);
     std::vector<Rgb> all = exact_;
@@ -181,15 +181,15 @@ Result<std::vector<Picture>> photograph(const Scene& scene, std::span<const Scen
   // One scale for all rigs of the frame, or their heat maps could not be compared: that of the best one, whose errors
   // would be black on any other's.
   float top = std::numeric_limits<float>::infinity();
-  for (const auto& rig : run.rigs()) {
-    auto irradiance = photographer.irradianceOf(*rig, lights);
+  for (std::size_t r = 0; r < run.rigCount(); ++r) {
+    auto irradiance = photographer.irradianceOf(r, frame.index, lights);
     auto error = photographer.relativeError(irradiance);
     top = std::min(top, std::max(kLeastHeatScale, photographer.heatScaleOf(error)));
     shaded.push_back({std::move(irradiance), std::move(error)});
   }
 
   std::vector<std::string> specs;
-  for (const auto& rig : run.rigs()) specs.push_back(rig->rig().spec().text);
+  for (std::size_t r = 0; r < run.rigCount(); ++r) specs.push_back(run.rig(r).rig().spec().text);
   const std::vector<std::string> rigNames = rigNameParts(specs);
   for (std::size_t r = 0; r < shaded.size(); ++r) {
     Picture picture;

@@ -15,6 +15,7 @@ struct GalleryFiles {
 };
 
 struct FrameLabel {
+  std::size_t index = 0;  // among the frames of the run
   int number = 0;
   double time = 0;  // s
 };

@@ -40,27 +40,21 @@ std::string ofMeanLight(double relative) {
                        : fmt::format("{:.0f} times the mean light", relative);
 }
 
-std::string goalOf(const LightingOptions& asked) {
-  switch (asked.target.kind) {
-    case Kind::spatialError:
-    case Kind::totalError:
-      return "target " + percent(static_cast<double>(asked.target.value));
-    case Kind::budget:
-      return fmt::format("budget {:g} us", asked.target.value);
-    case Kind::none:
-      break;
-  }
-  return counted(asked.nearSlots, "near light") + " at most";
+std::string goalOf(const LightLogContext& context) {
+  if (context.budget) return fmt::format("{:g} us a frame for all objects", *context.budget);
+  if (context.asked.target.kind != Kind::none)
+    return "target " + percent(static_cast<double>(context.asked.target.value));
+  return counted(context.asked.nearSlots, "near light") + " at most";
 }
 
-std::string whyFar(const LightUse& use, const LightingOptions& asked) {
+std::string whyFar(const LightUse& use, const LightLogContext& context) {
   if (use.bound == 0) return "far: the rig holds it without error";
   const std::string error = fmt::format("far: in the rig it is wrong by at most {}", ofMeanLight(use.bound));
+  const LightingOptions& asked = context.asked;
   if (asked.target.kind == Kind::none)
     return error + (asked.nearSlots == 0 ? "; no light is evaluated apart" : "; others come before it");
-  const bool budget = asked.target.kind == Kind::budget;
-  if (!budget && use.bound <= static_cast<double>(asked.target.value)) return error;
-  return error + (budget ? "; others take the budget" : "; by the rig's estimate the target is met without it");
+  if (use.bound <= static_cast<double>(asked.target.value)) return error;
+  return error + (context.budget ? "; others take the budget" : "; by the rig's estimate the target is met without it");
 }
 
 std::string whyOf(const LightUse& use, const LightLogContext& context) {
@@ -71,11 +65,10 @@ std::string whyOf(const LightUse& use, const LightLogContext& context) {
     return "culled: it gives this object nothing in any frame (out of range, outside its cone, or black)";
   std::string why;
   if (near + blended == 0) {
-    why = whyFar(use, context.asked);
+    why = whyFar(use, context);
   } else {
     why = fmt::format("{} {}: in the rig it could be wrong by {} ({})", near > 0 ? "near" : "partly near",
-                      frames(near > 0 ? LightRole::near : LightRole::blended), ofMeanLight(use.bound),
-                      goalOf(context.asked));
+                      frames(near > 0 ? LightRole::near : LightRole::blended), ofMeanLight(use.bound), goalOf(context));
     if (near > 0 && blended > 0) why += "; partly " + frames(LightRole::blended);
   }
   if (culled > 0) why += "; gives nothing " + frames(LightRole::culled);

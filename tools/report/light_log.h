@@ -16,6 +16,7 @@ struct LightLogContext {
   std::span<const int> frames;       // numbers of the frames, in the order in which they were added
   double meanIrradiance = 0;         // that bounds are relative to [W/m2]
   LightingOptions asked;
+  std::optional<float> budget;  // us a frame that the rig shares with other objects
 };
 
 class LightLog {

@@ -17,69 +17,120 @@ float commonWrap(std::span<const float> wraps) {
   return std::ranges::max_element(counts, {}, [](const auto& entry) { return entry.second; })->first;
 }
 
+double meanGranted(const RigReport& rig) {
+  double sum = 0;
+  for (const RigFrame& frame : rig.frames) sum += frame.granted.value_or(0);
+  return sum / static_cast<double>(rig.frames.size());
+}
+
+BudgetUse budgetUse(const RigReport& rig, int points) {
+  return {rig.modelledNanoseconds * points / 1000, meanGranted(rig), {}};
+}
+
+BudgetUse::Alone figuresAlone(const RigReport& rig, int points) {
+  const BudgetUse use = budgetUse(rig, points);
+  return {use.microseconds, use.granted, rig.spatial.rms, rig.total.rms, rig.shVectors, rig.nearLights};
+}
+
 }  // namespace
 
 Result<ObjectRun> ObjectRun::create(const SceneObject& object, const PosedObject& rest, const RunOptions& options,
-                                    int timings) {
+                                    const Setting& setting) {
   ObjectRun run(object);
+  run.setting_ = setting;
   run.bands_ = options.bands;
-  run.timings_ = timings;
   run.rate_ = options.rate;
+  run.budget_ = options.budget;
   auto surface = chooseSurface(object, rest, options.samples, options.wrap);
   if (!surface) return surface.error();
   run.surface_ = *std::move(surface);
   for (const RigSpec& spec : options.rigs) {
-    LightingOptions asked = lightingOptions(spec, options);
-    asked.wrap = commonWrap(run.surface_.wrap);
-    auto runner = makeRigRunner(spec, asked, options.bands, object, rest, run.surface_);
-    if (!runner) return runner.error();
-    run.runners_.push_back(*std::move(runner));
-    run.tallies_.emplace_back(asked);
-    run.asked_.push_back(choiceOptions(spec, options));
+    auto rig = run.makeRig(spec, rest, options);
+    if (!rig) return rig.error();
+    if (rig->shares && setting.shares) {
+      auto alone = run.makeRig(spec, rest, options);
+      if (!alone) return alone.error();
+      rig->alone = std::make_unique<MeasuredRig>(*std::move(alone));
+    }
+    run.rigs_.push_back(*std::move(rig));
   }
   run.shaded_.resize(run.surface_.measured.size());
   return run;
 }
 
-void ObjectRun::survey(const PosedObject& posed, const LightSet& lights) {
-  surveyed_.push_back(quickMean(*object_, posed, surface_, lights));
+Result<ObjectRun::MeasuredRig> ObjectRun::makeRig(const RigSpec& spec, const PosedObject& rest,
+                                                  const RunOptions& options) const {
+  LightingOptions asked = lightingOptions(spec, options);
+  asked.wrap = commonWrap(surface_.wrap);
+  auto runner = makeRigRunner(spec, asked, options.bands, *object_, rest, surface_);
+  if (!runner) return runner.error();
+  const bool shares = options.budget && chooses(spec, options);
+  const RigTally tally(asked, shares ? options.budget : std::nullopt);
+  return MeasuredRig{*std::move(runner), tally, choiceOptions(spec, options), shares, nullptr};
 }
+
+void ObjectRun::survey(const LightSet& lights) { surveyed_.push_back(quickMean(*object_, posed_, surface_, lights)); }
 
 void ObjectRun::setReference() {
   if (surveyed_.empty()) return;
   const double mean = std::accumulate(surveyed_.begin(), surveyed_.end(), 0.0) / static_cast<double>(surveyed_.size());
-  for (const auto& runner : runners_) runner->setReference(static_cast<float>(mean));
+  for (const MeasuredRig& rig : rigs_) {
+    rig.runner->setReference(static_cast<float>(mean));
+    if (rig.alone) rig.alone->runner->setReference(static_cast<float>(mean));
+  }
 }
 
-void ObjectRun::measure(const RunFrame& frame, const PosedObject& posed, const LightSet& lights) {
+void ObjectRun::measure(const RunFrame& frame, const LightSet& lights) {
   if (frames_.empty()) setReference();
-  truth_.update(*object_, posed, surface_, lights, bands_);
-  const bool followsOn = frame.followsOn && !frames_.empty();
+  truth_.update(*object_, posed_, surface_, lights, bands_);
+  followsOn_ = frame.followsOn && !frames_.empty();
   FrameTruth& truth = frames_.emplace_back(FrameTruth{truth_.mean, {}});
   numbers_.push_back(frame.number);
   times_.push_back(frame.time);
-  if (followsOn) {
+  if (followsOn_) {
     double squares = 0;
     for (std::size_t i = 0; i < previousExact_.size(); ++i)
       for (int c = 0; c < 3; ++c) squares += square(truth_.exact[i][c] - previousExact_[i][c]);
     truth.movementSquares = squares;
   }
   previousExact_ = truth_.exact;
-  for (std::size_t r = 0; r < runners_.size(); ++r)
-    measureRig(r, static_cast<float>(1 / rate_), followsOn, posed, lights);
+  for (MeasuredRig& rig : rigs_) {
+    if (!followsOn_) rig.runner->reset();
+    if (!rig.shares) lightByItself(rig, lights);
+  }
 }
 
-void ObjectRun::measureRig(std::size_t r, float seconds, bool followsOn, const PosedObject& posed,
-                           const LightSet& lights) {
-  // Timing a frame again must not let anything fade further.
-  constexpr float kNoTime = 1e-9f;
-  RigRunner& runner = *runners_[r];
-  if (!followsOn) runner.reset();
-  for (int i = 0; i < timings_; ++i) {
-    const FitTimes fit = runner.fit(*object_, posed, lights, i == 0 ? seconds : kNoTime);
-    tallies_[r].addTiming(fit, runner.shade(truth_.points, surface_.wrap, shaded_));
+void ObjectRun::lightByItself(MeasuredRig& rig, const LightSet& lights) {
+  RigRunner* runner = rig.runner.get();
+  BudgetShare share;
+  for (int i = 0; i < setting_.timings; ++i) {
+    runner->pose(*object_, posed_);
+    if (rig.shares)
+      lightWithin(*budget_, {&runner, 1}, lights, secondsOf(i), {&share, 1});
+    else
+      runner->light(lights, secondsOf(i));
+    time(rig);
   }
-  tallies_[r].addFrame(runner, shaded_, truth_, shOfFarShares(runner, lights), surface_.wrap, followsOn);
+  compare(rig, lights, rig.shares ? std::optional(share.granted) : std::nullopt);
+}
+
+void ObjectRun::compareShared(std::size_t i, const LightSet& lights, float granted) {
+  compare(rigs_[i], lights, granted);
+  if (!rigs_[i].alone) return;
+  MeasuredRig& alone = *rigs_[i].alone;
+  if (!followsOn_) alone.runner->reset();
+  lightByItself(alone, lights);
+}
+
+void ObjectRun::time(MeasuredRig& rig) {
+  const double shade = rig.runner->shade(truth_.points, surface_.wrap, shaded_);
+  rig.tally.addTiming(rig.runner->times(), shade);
+}
+
+void ObjectRun::compare(MeasuredRig& rig, const LightSet& lights, std::optional<float> granted) {
+  rig.runner->shade(truth_.points, surface_.wrap, shaded_);
+  rig.tally.addFrame(*rig.runner, shaded_, truth_, shOfFarShares(*rig.runner, lights), surface_.wrap, followsOn_);
+  if (granted) rig.tally.grant(*granted);
 }
 
 std::span<const Rgb> ObjectRun::shOfFarShares(const RigRunner& rig, const LightSet& lights) {
@@ -102,7 +153,7 @@ std::size_t ObjectRun::worstFrame() const {
   double worstSum = -1;
   for (std::size_t f = 0; f < frames_.size(); ++f) {
     double sum = 0;
-    for (const RigTally& tally : tallies_) sum += tally.totalError(f);
+    for (const MeasuredRig& rig : rigs_) sum += rig.tally.totalError(f);
     if (sum > worstSum) {
       worstSum = sum;
       worst = f;
@@ -123,11 +174,31 @@ ObjectReport ObjectRun::report(std::span<const LightRow> lights) const {
     TruthFrame& truth = out.truth.emplace_back(TruthFrame{times_[f], frames_[f].mean, {}});
     if (frames_[f].movementSquares) truth.movement = scale * std::sqrt(*frames_[f].movementSquares / channels);
   }
-  for (std::size_t r = 0; r < runners_.size(); ++r) {
-    out.rigs.push_back(tallies_[r].report(*runners_[r], {times_, numbers_, lights, out.meanIrradiance}));
-    out.rigs.back().asked = asked_[r];
+  for (const MeasuredRig& rig : rigs_) {
+    RigReport& shown = out.rigs.emplace_back(report(rig, lights));
+    if (!rig.shares) continue;
+    shown.budget = budgetUse(shown, rig.runner->asked().points);
+    if (rig.alone) shown.budget->alone = figuresAlone(report(*rig.alone, lights), rig.runner->asked().points);
   }
   return out;
+}
+
+RigReport ObjectRun::report(const MeasuredRig& rig, std::span<const LightRow> lights) const {
+  RigReport out = rig.tally.report(*rig.runner, {times_, numbers_, lights, meanIrradiance()});
+  out.asked = rig.asked;
+  return out;
+}
+
+void ObjectRun::relight(std::size_t i, std::size_t frame, const PosedObject& posed, const LightSet& lights) const {
+  const MeasuredRig& rig = rigs_[i];
+  rig.runner->reset();
+  rig.runner->pose(*object_, posed);
+  if (const auto granted = rig.tally.granted(frame)) {
+    rig.runner->weigh(lights);
+    rig.runner->settle(lights, *granted, 0);
+  } else {
+    rig.runner->light(lights, 0);
+  }
 }
 
 }  // namespace rigel::tools

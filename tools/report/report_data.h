@@ -26,6 +26,7 @@ struct RigFrame {
   std::optional<double> estimate;       // of spatialRms, by the rig itself, which does not know the truth
   std::optional<double> totalEstimate;  // of totalRms
   std::optional<double> jump;           // largest change of the error since the frame before; see RigReport::maxJump
+  std::optional<double> granted;        // the error that the frame's budget left it to aim at
   int shVectors = 0;
   double modelledNanoseconds = 0;  // a shaded point, by the cost model
   std::vector<int> near;           // lights with a weight above 0, as indices into RigReport::lights
@@ -50,6 +51,20 @@ struct StageTime {
   double microseconds = 0;  // median over frames
 };
 
+/// What sharing a frame's time cost an object. Means over the frames.
+struct BudgetUse {
+  double microseconds = 0;  // modelled, of the object
+  double granted = 0;       // error it was lit to
+
+  /// The same rig with the whole time to itself; empty where no other object shares it.
+  struct Alone {
+    double microseconds = 0, granted = 0;
+    double spatialRms = 0, totalRms = 0;
+    double shVectors = 0, nearLights = 0;
+  };
+  std::optional<Alone> alone;
+};
+
 struct RigReport {
   std::string spec;
   std::string asked;      // the options that govern its choices: "--near auto --error 0.05"; "" where it has none
@@ -71,7 +86,17 @@ struct RigReport {
   double condition = 1;           // worst condition number of the fit over the frames; 1 where nothing is solved
   std::vector<StageTime> stages;  // those that ran, in their order
   std::vector<RigFrame> frames;
-  std::vector<LightUse> lights;  // in the order of the scene's
+  std::vector<LightUse> lights;     // in the order of the scene's
+  std::optional<BudgetUse> budget;  // of a rig that shares the frame's time
+};
+
+/// A frame's time and the objects of a scene that share it, all lit by one kind of rig.
+struct SharedBudget {
+  std::string spec;
+  double budget = 0;           // us a frame
+  std::optional<double> goal;  // error below which no object takes more time; empty: as little as the time allows
+  double mean = 0, most = 0;   // modelled us a frame
+  int framesOver = 0;          // that take longer than the budget by more than kBudgetSlack
 };
 
 /// Per frame, what the truth itself does: its mean and how far it moved since the frame before (RMS over samples).
@@ -120,6 +145,7 @@ struct SceneReport {
   std::vector<std::string> notes;
   std::vector<LightRow> lights;
   std::vector<ObjectReport> objects;
+  std::vector<SharedBudget> budgets;  // one a rig that shares the frame's time
 };
 
 struct Report {

@@ -1,5 +1,6 @@
 #include "report/report_json.h"
 
+#include "report/budget_words.h"
 #include "report/light_log.h"
 #include "report/verdict.h"
 
@@ -65,6 +66,8 @@ class Writer {
     Json lights = Json::array();
     for (const LightRow& light : report.lights)
       lights.push_back({{"name", light.name}, {"type", light.type}, {"summary", light.summary}});
+    Json budgets = Json::array();
+    for (const SharedBudget& budget : report.budgets) budgets.push_back(sharedBudget(budget, report.objects.size()));
     return {{"scene", report.scene},
             {"clip", report.clip},
             {"lights_from", report.lightsFrom},
@@ -72,7 +75,34 @@ class Writer {
             {"seconds", number(report.seconds, "seconds")},
             {"effects", report.effects},
             {"notes", report.notes},
-            {"lights", std::move(lights)}};
+            {"lights", std::move(lights)},
+            {"budgets", std::move(budgets)}};
+  }
+
+  Json sharedBudget(const SharedBudget& budget, std::size_t objects) {
+    return {{"spec", budget.spec},
+            {"budget_us", number(budget.budget, "budget_us")},
+            {"goal", numberOrNull(budget.goal, "goal")},
+            {"mean_us", number(budget.mean, "mean_us")},
+            {"most_us", number(budget.most, "most_us")},
+            {"frames_over", budget.framesOver},
+            {"sentence", budgetSentence(budget, objects)}};
+  }
+
+  Json budgetUse(const RigReport& report) {
+    const BudgetUse& use = *report.budget;
+    Json result = {{"us", number(use.microseconds, "budget us")}, {"granted", number(use.granted, "granted")}};
+    if (!use.alone) return result;
+    const BudgetUse::Alone& alone = *use.alone;
+    result["alone"] = {{"us", number(alone.microseconds, "us alone")},
+                       {"granted", number(alone.granted, "granted alone")},
+                       {"spatial", number(alone.spatialRms, "spatial alone")},
+                       {"total", number(alone.totalRms, "total alone")},
+                       {"sh_vectors", wholeOrNumber(alone.shVectors, "sh_vectors alone")},
+                       {"near_lights", wholeOrNumber(alone.nearLights, "near_lights alone")}};
+    result["gave_up"] = gaveUp(report);
+    result["given_up"] = givenUp(report);
+    return result;
   }
 
   Json object(const ObjectReport& report, const SceneReport& sceneReport, std::size_t sceneIndex) {
@@ -123,6 +153,7 @@ class Writer {
                    {"bytes", report.bytes},
                    {"max_jump", numberOrNull(report.maxJump, "max_jump")},
                    {"condition", number(report.condition, "condition")}};
+    if (report.budget) result["budget"] = budgetUse(report);
     Json stages = Json::object();
     for (const StageTime& stage : report.stages) stages[stage.name] = number(stage.microseconds, stage.name);
     result["stages"] = std::move(stages);
@@ -145,6 +176,7 @@ class Writer {
                    {"jump", numberOrNull(report.jump, "frame jump")},
                    {"sh_vectors", report.shVectors},
                    {"near", std::move(near)}};
+    if (report.granted) result["granted"] = number(*report.granted, "frame granted");
     if (report.totalEstimate) result["total_estimate"] = number(*report.totalEstimate, "frame total_estimate");
     return result;
   }

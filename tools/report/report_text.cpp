@@ -1,5 +1,6 @@
 #include "report/report_text.h"
 
+#include "report/budget_words.h"
 #include "report/verdict.h"
 
 #include <fmt/format.h>
@@ -87,6 +88,18 @@ std::string objectText(const SceneReport& scene, const ObjectReport& object) {
   return fmt::format("{}{}  > {}\n", text, aligned(rows), printable(verdict->sentence));
 }
 
+/// What sharing a frame's time cost each object.
+std::string budgetText(const SceneReport& scene, const SharedBudget& budget) {
+  std::string text = fmt::format("  budget: {}\n", printable(budgetSentence(budget, scene.objects.size())));
+  for (const ObjectReport& object : scene.objects) {
+    for (const RigReport& rig : object.rigs) {
+      if (rig.spec != budget.spec || givenUp(rig).empty()) continue;
+      text += fmt::format("    {} gave up {}\n", printable(object.name), givenUp(rig));
+    }
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string reportText(const Report& report) {
@@ -96,6 +109,7 @@ std::string reportText(const Report& report) {
       if (!text.empty()) text += '\n';
       text += objectText(scene, object);
     }
+    for (const SharedBudget& budget : scene.budgets) text += budgetText(scene, budget);
     for (const std::string& note : scene.notes) text += fmt::format("  note: {}\n", printable(note));
   }
   return text;

@@ -49,7 +49,8 @@ class StageClock {
 template <int B>
 class RunnerOf final : public RigRunner {
  public:
-  RunnerOf(ObjectLighting<B> lighting, const SurfaceSet& surface) : lighting_(std::move(lighting)) {
+  RunnerOf(ObjectLighting<B> lighting, const LightingOptions& asked, const SurfaceSet& surface)
+      : lighting_(std::move(lighting)), asked_(asked) {
     for (int i : lighting_.anchors()) anchorPoints_.push_back(surface.candidates[i]);
     anchors_.resize(anchorPoints_.size());
   }
@@ -57,27 +58,42 @@ class RunnerOf final : public RigRunner {
   void setReference(float irradiance) override { lighting_.options().reference = irradiance; }
   void reset() override { lighting_.reset(); }
 
-  FitTimes fit(const SceneObject& object, const PosedObject& posed, const LightSet& lights, float seconds) override {
+  void pose(const SceneObject& object, const PosedObject& posed) override {
     const RigFrame frame = rigidFrame(posed.worldFromRig);
     const RigBox box = rigBox(frame, posed);  // an engine has its bounds already: not part of the rig's time
-    FitTimes times;
-    StageClock clock(times);
-    const auto pose = [&](std::size_t first, std::size_t last) {
+    times_ = {};
+    StageClock clock(times_);
+    const auto poseAnchors = [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i)
         anchors_[i] = frame.inversePoint(surfacePosition(object, posed, anchorPoints_[i]));
     };
     // The rig's own come first; the others are where its error is estimated.
     const std::size_t own = lighting_.rig().anchors().size();
     if (own < anchors_.size()) {
-      pose(own, anchors_.size());
+      poseAnchors(own, anchors_.size());
       clock.ended(FitTimes::kEstimate);
     }
-    pose(0, own);
+    poseAnchors(0, own);
     lighting_.setPose({box, anchors_}, frame);
+    frame_ = frame;
     clock.ended(FitTimes::kRefresh);
-    lighting_.light(lights, seconds, {}, clock.probe());
-    return times;
   }
+
+  void light(const LightSet& lights, float seconds) override {
+    StageClock clock(times_);
+    lighting_.light(lights, seconds, {}, clock.probe());
+  }
+  void weigh(const LightSet& lights) override {
+    StageClock clock(times_);
+    lighting_.weigh(lights, clock.probe());
+    clock.ended(FitTimes::kChoose);
+  }
+  float costAt(float target) const override { return lighting_.costAt(target); }
+  void settle(const LightSet& lights, float target, float seconds) override {
+    StageClock clock(times_);
+    lighting_.settle(lights, target, seconds, {}, clock.probe());
+  }
+  const FitTimes& times() const override { return times_; }
 
   double shade(std::span<const PointAndNormal> points, std::span<const float> wrap, std::span<Shaded> out) override {
     const auto start = std::chrono::steady_clock::now();
@@ -111,10 +127,34 @@ class RunnerOf final : public RigRunner {
   std::optional<float> spatialEstimate() const override { return lighting_.spatialEstimate(); }
   std::optional<float> totalEstimate() const override { return lighting_.totalEstimate(); }
   float modelledNanoseconds() const override { return lighting_.modelledNanoseconds(); }
+  float modelledMicroseconds() const override {
+    return modelledNanoseconds() * static_cast<float>(asked_.points) / 1000;
+  }
   const Rig& rig() const override { return lighting_.rig(); }
+  const LightingOptions& asked() const override { return asked_; }
+
+  int bands() const override { return B; }
+  GpuRig pack(const GpuRigPlace& place, std::span<GpuVec4> buffer) const override { return packInto(place, buffer); }
+  GpuRig pack(const GpuRigPlace& place, std::span<GpuHalf4> buffer) const override { return packInto(place, buffer); }
+  GpuRig packTexture(std::span<GpuVec4> texels) const override { return packTexels(texels); }
+  GpuRig packTexture(std::span<GpuHalf4> texels) const override { return packTexels(texels); }
+  std::span<const NearLight> nearLights() const override { return lighting_.nearLights(); }
+  Effects effects(float wrap) const override { return frameEffects(lighting_, wrap); }
 
  private:
+  template <class Vec4>
+  GpuRig packInto(const GpuRigPlace& place, std::span<Vec4> buffer) const {
+    return packRig<B>(lighting_.rig(), frame_, lighting_.coefficients(), lighting_.highBand(), place, buffer);
+  }
+  template <class Vec4>
+  GpuRig packTexels(std::span<Vec4> texels) const {
+    return rigel::packTexture<B>(lighting_.rig(), frame_, lighting_.coefficients(), texels);
+  }
+
   ObjectLighting<B> lighting_;
+  RigFrame frame_;
+  LightingOptions asked_;
+  FitTimes times_;
   std::vector<SurfacePoint> anchorPoints_;
   std::vector<Vec3> anchors_;  // rig frame
 };
@@ -131,8 +171,22 @@ Result<std::unique_ptr<RigRunner>> makeRigRunner(const RigSpec& spec, const Ligh
   return withBands(bands, [&]<int B>() -> Result<std::unique_ptr<RigRunner>> {
     auto lighting = ObjectLighting<B>::create(spec, {rigBox(frame, rest), points}, asked);
     if (!lighting) return Error{lighting.error().line(), "object '" + object.name + "'"};
-    return std::unique_ptr<RigRunner>(std::make_unique<RunnerOf<B>>(*std::move(lighting), surface));
+    return std::unique_ptr<RigRunner>(std::make_unique<RunnerOf<B>>(*std::move(lighting), asked, surface));
   });
+}
+
+void lightWithin(float microseconds, std::span<RigRunner* const> rigs, const LightSet& lights, float seconds,
+                 std::span<BudgetShare> shares) {
+  for (std::size_t i = 0; i < rigs.size(); ++i) {
+    rigs[i]->weigh(lights);
+    shares[i].wanted = rigs[i]->asked().target.value;
+    shares[i].points = static_cast<float>(rigs[i]->asked().points);
+  }
+  const auto costAt = [](void* all, std::size_t i, float target) {
+    return (*static_cast<std::span<RigRunner* const>*>(all))[i]->costAt(target);
+  };
+  spreadBudget(shares, {costAt, &rigs}, microseconds);
+  for (std::size_t i = 0; i < rigs.size(); ++i) rigs[i]->settle(lights, shares[i].granted, seconds);
 }
 
 }  // namespace rigel::tools

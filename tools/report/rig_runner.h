@@ -3,7 +3,9 @@
 
 #include "report/truth.h"
 
-#include <rigel/object_lighting.h>
+#include <rigel/effects.h>
+#include <rigel/gpu_rig.h>
+#include <rigel/light_budget.h>
 
 #include <memory>
 
@@ -28,8 +30,23 @@ class RigRunner {
   /// The next frame does not follow on the last: nothing fades.
   virtual void reset() = 0;
 
-  /// Poses and lights the rig, `seconds` after the last time. `posed` is in world space.
-  virtual FitTimes fit(const SceneObject& object, const PosedObject& posed, const LightSet& lights, float seconds) = 0;
+  /// `posed` is in world space. The frame's times start anew.
+  virtual void pose(const SceneObject& object, const PosedObject& posed) = 0;
+
+  /// Lights the posed rig, `seconds` after the last time.
+  virtual void light(const LightSet& lights, float seconds) = 0;
+
+  /// The same in two steps, as ObjectLighting has them, for rigs that choose and share a frame's time.
+  virtual void weigh(const LightSet& lights) = 0;
+  virtual float costAt(float target) const = 0;
+  virtual void settle(const LightSet& lights, float target, float seconds) = 0;
+
+  FitTimes fit(const SceneObject& object, const PosedObject& posed, const LightSet& lights, float seconds) {
+    pose(object, posed);
+    light(lights, seconds);
+    return times();
+  }
+  virtual const FitTimes& times() const = 0;  // since pose()
 
   /// Irradiance of a point; the rig's part is not clamped.
   struct Shaded {
@@ -50,14 +67,30 @@ class RigRunner {
   virtual std::span<const LightVerdict> verdicts() const = 0;  // in the order of the lights
   virtual std::optional<float> spatialEstimate() const = 0;
   virtual std::optional<float> totalEstimate() const = 0;
-  virtual float modelledNanoseconds() const = 0;  // a point
+  virtual float modelledNanoseconds() const = 0;   // a point
+  virtual float modelledMicroseconds() const = 0;  // all points shaded in a frame
 
   virtual const Rig& rig() const = 0;
+  virtual const LightingOptions& asked() const = 0;  // as it was made
+
+  // Of the last frame, as shaders read it (gpu_rig.h, near_light.h).
+  virtual int bands() const = 0;
+  virtual GpuRig pack(const GpuRigPlace& place, std::span<GpuVec4> buffer) const = 0;
+  virtual GpuRig pack(const GpuRigPlace& place, std::span<GpuHalf4> buffer) const = 0;
+  virtual GpuRig packTexture(std::span<GpuVec4> texels) const = 0;
+  virtual GpuRig packTexture(std::span<GpuHalf4> texels) const = 0;
+  virtual std::span<const NearLight> nearLights() const = 0;
+  virtual Effects effects(float wrap) const = 0;
 };
 
 /// Error from ObjectLighting::create.
 Result<std::unique_ptr<RigRunner>> makeRigRunner(const RigSpec& spec, const LightingOptions& asked, int bands,
                                                  const SceneObject& object, const PosedObject& rest,
                                                  const SurfaceSet& surface);
+
+/// Lights rigs that choose and are posed, within `microseconds` of modelled time together, as nearly as it allows to
+/// the errors that they want. `shares`: one a rig, filled here; errors of all count alike.
+void lightWithin(float microseconds, std::span<RigRunner* const> rigs, const LightSet& lights, float seconds,
+                 std::span<BudgetShare> shares);
 
 }  // namespace rigel::tools

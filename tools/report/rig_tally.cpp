@@ -120,6 +120,7 @@ void RigTally::addFrames(RigReport& out, const TallyContext& context) const {
     frame.totalRms = scale * std::sqrt(from.totalSquares / channels);
     frame.estimate = asDouble(from.estimate);
     frame.totalEstimate = asDouble(from.totalEstimate);
+    frame.granted = asDouble(from.granted);
     if (from.jump) {
       frame.jump = scale * *from.jump;
       out.maxJump = std::max(out.maxJump.value_or(0), *frame.jump);
@@ -150,7 +151,7 @@ RigReport RigTally::report(const RigRunner& rig, const TallyContext& context) co
   out.condition = condition_;
   addTimes(out);
   addFrames(out, context);
-  out.lights = lights_.uses({context.lights, context.frames, context.meanIrradiance, asked_});
+  out.lights = lights_.uses({context.lights, context.frames, context.meanIrradiance, asked_, budget_});
   return out;
 }
 

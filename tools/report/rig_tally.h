@@ -17,13 +17,17 @@ struct TallyContext {
 
 class RigTally {
  public:
-  explicit RigTally(const LightingOptions& asked) : asked_(asked) {}
+  RigTally(const LightingOptions& asked, std::optional<float> budget) : asked_(asked), budget_(budget) {}
 
   void addTiming(const FitTimes& fit, double shadeMicroseconds);
 
   /// A frame that `rig` was just fitted to. `sh`: what a perfect rig of the same bands and far shares gives.
   void addFrame(const RigRunner& rig, std::span<const RigRunner::Shaded> shaded, const Truth& truth,
                 std::span<const Rgb> sh, std::span<const float> wrap, bool followsOn);
+
+  /// The error that the last frame's budget left the rig to aim at.
+  void grant(float error) { frames_.back().granted = error; }
+  std::optional<float> granted(std::size_t frame) const { return frames_[frame].granted; }
 
   /// Square root of the sum of a frame's squared total errors [W/m2].
   double totalError(std::size_t frame) const;
@@ -33,7 +37,7 @@ class RigTally {
  private:
   struct Frame {
     double spatialSquares = 0, totalSquares = 0;  // summed over samples and channels [W/m2]^2
-    std::optional<float> estimate, totalEstimate;
+    std::optional<float> estimate, totalEstimate, granted;
     std::optional<double> jump;
     int shVectors = 0;
     float modelledNanoseconds = 0;
@@ -46,6 +50,7 @@ class RigTally {
   void addFrames(RigReport& out, const TallyContext& context) const;
 
   LightingOptions asked_;
+  std::optional<float> budget_;  // us a frame that the rig shares with other objects
   std::vector<Frame> frames_;
   LightLog lights_;
   std::vector<FitTimes> fitTimes_;

@@ -16,17 +16,17 @@ bool parseNumber(std::string_view text, int& value) {
   return status == std::errc() && end == text.data() + text.size();
 }
 
-std::optional<Error> checkTarget(const RunOptions& options) {
-  if (!options.target) return std::nullopt;
-  const LightingTarget& target = *options.target;
-  const bool budget = target.kind == LightingTarget::Kind::budget;
-  if (budget && !(target.value > 0 && target.value <= kMaxBudget))
-    return Error{fmt::format("must be more than 0 and at most {:.0f} microseconds", kMaxBudget), targetOption(target)};
-  if (!budget && !(target.value > 0 && target.value <= kMaxErrorTarget))
+std::optional<Error> checkAim(const RunOptions& options) {
+  const std::string asked = aimOptions(options.target, options.budget);
+  if (asked.empty()) return std::nullopt;
+  if (options.budget && !(*options.budget > 0 && *options.budget <= kMaxBudget))
+    return Error{fmt::format("must be more than 0 and at most {:.0f} microseconds", kMaxBudget),
+                 aimOptions({}, options.budget)};
+  if (options.target && !(options.target->value > 0 && options.target->value <= kMaxErrorTarget))
     return Error{fmt::format("must be more than 0 and at most {:g} (0.05 is 5 % of the mean light)", kMaxErrorTarget),
-                 targetOption(target)};
+                 aimOptions(options.target, {})};
   if (std::ranges::none_of(options.rigs, [&](const RigSpec& rig) { return chooses(rig, options); }))
-    return Error{"no rig here chooses anything: that takes an `auto` rig or --near auto", targetOption(target)};
+    return Error{"no rig here chooses anything: that takes an `auto` rig or --near auto", asked};
   return std::nullopt;
 }
 
@@ -70,9 +70,13 @@ bool chooses(const RigSpec& rig, const RunOptions& options) {
   return rig.adaptive || (options.near && options.near->automatic);
 }
 
+LightingTarget targetOf(const RunOptions& options) {
+  return options.target.value_or(options.budget ? kBudgetTarget : kDefaultTarget);
+}
+
 LightingOptions lightingOptions(const RigSpec& rig, const RunOptions& options) {
   LightingOptions lighting;
-  if (chooses(rig, options)) lighting.target = options.target.value_or(kDefaultTarget);
+  if (chooses(rig, options)) lighting.target = targetOf(options);
   const NearChoice near = options.near.value_or(NearChoice{rig.adaptive, 0});
   lighting.nearSlots = near.automatic ? kMaxNearLights : near.slots;
   lighting.estimate = true;
@@ -83,22 +87,17 @@ std::string choiceOptions(const RigSpec& rig, const RunOptions& options) {
   const NearChoice near = options.near.value_or(NearChoice{rig.adaptive, 0});
   if (!near.automatic && near.slots == 0 && !rig.adaptive) return "";
   std::string text = near.automatic ? "--near auto" : fmt::format("--near {}", near.slots);
-  if (chooses(rig, options)) text += " " + targetOption(options.target.value_or(kDefaultTarget));
-  return text;
+  if (!chooses(rig, options)) return text;
+  const bool silent = !options.target && !options.budget;
+  return text + " " + aimOptions(silent ? kDefaultTarget : options.target, options.budget);
 }
 
-std::string targetOption(const LightingTarget& target) {
-  switch (target.kind) {
-    case LightingTarget::Kind::spatialError:
-      return fmt::format("--error {:g}", target.value);
-    case LightingTarget::Kind::totalError:
-      return fmt::format("--total-error {:g}", target.value);
-    case LightingTarget::Kind::budget:
-      return fmt::format("--budget-us {:g}", target.value);
-    case LightingTarget::Kind::none:
-      break;
-  }
-  return "";
+std::string aimOptions(const std::optional<LightingTarget>& target, const std::optional<float>& budget) {
+  const bool total = target && target->kind == LightingTarget::Kind::totalError;
+  std::string text;
+  if (target) text = fmt::format("{} {:g}", total ? "--total-error" : "--error", target->value);
+  if (budget) text += fmt::format("{}--budget-us {:g}", text.empty() ? "" : " ", *budget);
+  return text;
 }
 
 std::optional<Error> checkOptions(const RunOptions& options) {
@@ -118,7 +117,7 @@ std::optional<Error> checkOptions(const RunOptions& options) {
                  fmt::format("--rate {:g}", options.rate)};
   if (options.rigs.empty()) return Error{"names no rig", "--rig"};
   if (options.samples < 1) return Error{"needs at least one surface sample", "samples"};
-  return checkTarget(options);
+  return checkAim(options);
 }
 
 }  // namespace rigel::tools

@@ -1,7 +1,7 @@
 // What `rigel report` is asked to do, checked and parsed.
 #pragma once
 
-#include <rigel/object_lighting.h>
+#include <rigel/light_budget.h>
 
 #include <functional>
 #include <optional>
@@ -38,7 +38,9 @@ Result<NearChoice> parseNear(const std::string& text);
 
 /// --error where nothing is said: errors of a twentieth of the mean light are hard to see in motion.
 inline constexpr LightingTarget kDefaultTarget{LightingTarget::Kind::spatialError, 0.05f};
-inline constexpr float kMaxErrorTarget = 1;     // as large as the light itself
+inline constexpr float kMaxErrorTarget = 1;  // as large as the light itself
+/// And under --budget-us, of the error that is seen: time spent on less than this is not seen.
+inline constexpr LightingTarget kBudgetTarget{LightingTarget::Kind::totalError, 0.02f};
 inline constexpr float kMaxBudget = 1'000'000;  // us
 
 struct RunOptions {
@@ -48,7 +50,8 @@ struct RunOptions {
   FrameRange frames;
   double rate = kDefaultRate;            // frames a second of the clip, which `frames` counts
   std::optional<NearChoice> near;        // empty: automatic for `auto` rigs, none for the others
-  std::optional<LightingTarget> target;  // of the rigs that choose; empty: kDefaultTarget
+  std::optional<LightingTarget> target;  // of the rigs that choose: an error; empty: kDefaultTarget, kBudgetTarget
+  std::optional<float> budget;           // modelled us a frame for all objects together, with a rig that chooses
   std::optional<float> wrap;             // overrides the materials'
   int bands = 3;
   float exposure = 1;
@@ -64,6 +67,9 @@ std::optional<Error> checkOptions(const RunOptions& options);
 /// Does the rig choose in each frame: an `auto` rig always, a fixed one its near lights under --near auto?
 bool chooses(const RigSpec& rig, const RunOptions& options);
 
+/// The error that rigs which choose aim at.
+LightingTarget targetOf(const RunOptions& options);
+
 /// What is asked of one rig of the run. Reference irradiance and wrap are left for who knows the object.
 LightingOptions lightingOptions(const RigSpec& rig, const RunOptions& options);
 
@@ -71,8 +77,8 @@ LightingOptions lightingOptions(const RigSpec& rig, const RunOptions& options);
 /// chooses nothing and has no near lights.
 std::string choiceOptions(const RigSpec& rig, const RunOptions& options);
 
-/// The option that sets a target as a user types it: "--error 0.05".
-std::string targetOption(const LightingTarget& target);
+/// The options that say what to aim at, as a user types them: "--error 0.05", "--total-error 0.03 --budget-us 1500".
+std::string aimOptions(const std::optional<LightingTarget>& target, const std::optional<float>& budget);
 
 /// Called often during long work with the share done in [0, 1] and what is being done.
 using Progress = std::function<void(double share, const std::string& what)>;

@@ -2,6 +2,7 @@
 
 #include "report/describe_lights.h"
 #include "report/effects.h"
+#include "report/frame_budget.h"
 #include "report/gallery.h"
 #include "report/object_run.h"
 #include "report/picture_names.h"
@@ -86,16 +87,19 @@ class SceneRun {
       transplant = *created;
     }
     Stage stage(*scene_, timeline, transplant);
-    PosedObject posed;
+    std::vector<FrameBudget> budgets;
+    for (std::size_t r = 0; r < options_.rigs.size(); ++r)
+      if (options_.budget && chooses(options_.rigs[r], options_)) budgets.emplace_back(*options_.budget, r);
     survey(timeline, stage, *runs);
     for (std::size_t f = 0; f < timeline.frames.size(); ++f) {
       const int frame = timeline.frames[f];
       progress(0.8 * static_cast<double>(f) / static_cast<double>(timeline.frames.size()), title(timeline));
       stage.pose(frame);
       for (ObjectRun& run : *runs) {
-        poseObject(*scene_, run.object(), stage.nodes(), posed);
-        run.measure({frame, timeline.time(frame), timeline.followsOn(f)}, posed, stage.lights().set);
+        poseObject(*scene_, run.object(), stage.nodes(), run.posed());
+        run.measure({frame, timeline.time(frame), timeline.followsOn(f)}, stage.lights().set);
       }
+      for (FrameBudget& budget : budgets) budget.measure(*runs, stage.lights().set);
     }
 
     SceneReport report;
@@ -112,6 +116,7 @@ class SceneRun {
         report.notes.push_back("no light reaches object '" + run.object().name + "': its errors are shown as 0");
       for (float wrap : run.object().triangleWrap) wraps.push_back(options_.wrap.value_or(wrap));
     }
+    for (const FrameBudget& budget : budgets) report.budgets.push_back(budget.report(options_));
     report.effects = effectsOf(stage.lights().set, wraps, options_.rigs, report.objects);
 
     if (options_.images) {
@@ -139,7 +144,9 @@ class SceneRun {
 
   Result<std::vector<ObjectRun>> createObjectRuns(const Timeline& timeline) const {
     constexpr int kLeastTimings = 16;
-    const int timings = std::max(1, kLeastTimings / static_cast<int>(timeline.frames.size()));
+    ObjectRun::Setting setting;
+    setting.timings = std::max(1, kLeastTimings / static_cast<int>(timeline.frames.size()));
+    setting.shares = std::ranges::count(objects_, false, &SceneObject::isStatic) > 1;
     ScenePose rest;
     poseScene(*scene_, kRestPose, 0, rest);
     PosedObject posed;
@@ -147,7 +154,7 @@ class SceneRun {
     for (const SceneObject& object : objects_) {
       if (object.isStatic) continue;
       poseObject(*scene_, object, rest, posed);
-      auto run = ObjectRun::create(object, posed, options_, timings);
+      auto run = ObjectRun::create(object, posed, options_, setting);
       if (!run) return Error{run.error().line(), source_};
       runs.push_back(*std::move(run));
     }
@@ -158,12 +165,11 @@ class SceneRun {
   void survey(const Timeline& timeline, Stage& stage, std::vector<ObjectRun>& runs) const {
     constexpr std::size_t kFrames = 64;
     const std::size_t count = std::min(kFrames, timeline.frames.size());
-    PosedObject posed;
     for (std::size_t k = 0; k < count; ++k) {
       stage.pose(timeline.frames[k * timeline.frames.size() / count]);
       for (ObjectRun& run : runs) {
-        poseObject(*scene_, run.object(), stage.nodes(), posed);
-        run.survey(posed, stage.lights().set);
+        poseObject(*scene_, run.object(), stage.nodes(), run.posed());
+        run.survey(stage.lights().set);
       }
     }
   }
@@ -183,7 +189,7 @@ class SceneRun {
         const int frame = timeline.frames[f];
         stage.pose(frame);
         auto pictures = photograph(*scene_, objects_, stage.nodes(), stage.lights().set, runs[i],
-                                   {frame, timeline.time(frame)}, options_, files);
+                                   {f, frame, timeline.time(frame)}, options_, files);
         if (!pictures) return pictures.error();
         std::ranges::move(*pictures, std::back_inserter(report.objects[i].pictures));
       }

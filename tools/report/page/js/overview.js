@@ -17,6 +17,7 @@ function overview() {
   });
   section.append(verdicts);
   if (report.objects.length > 1) section.append(matrix());
+  section.append(...report.scenes.flatMap(budgetCards));
   return section;
 }
 
