@@ -10,12 +10,12 @@
 namespace rigel::tools {
 
 struct GpuOptions {
-  bool validation = false;              // the Khronos layer, checks of synchronisation included (slower)
-  bool preferCpuDevice = false;         // a software device before a GPU: tests, so that they see the same everywhere
-  std::string deviceName;               // part of the device's name; "": RIGEL_VULKAN_DEVICE, else any
-  std::vector<std::string> features;    // of VkPhysicalDeviceFeatures, by name, that must be there
-  std::filesystem::path pipelineCache;  // file that keeps compiled pipelines from run to run; "": none
-  double timeout = 60;                  // s that one submission may take
+  bool validation = false;       // the Khronos layer, checks of synchronisation included (slower)
+  bool preferCpuDevice = false;  // a software device before a GPU: tests, so that they see the same everywhere
+  std::string deviceName = {};   // part of the device's name; "": RIGEL_VULKAN_DEVICE, else any
+  std::vector<std::string> features = {};    // of VkPhysicalDeviceFeatures, by name, that must be there
+  std::filesystem::path pipelineCache = {};  // file that keeps compiled pipelines from run to run; "": none
+  double timeout = 60;                       // s that one submission may take
 };
 
 /// One device and one queue. Cheap to copy: copies are the same device, and what was made from it keeps it alive. One

@@ -8,7 +8,7 @@
 namespace rigel::tools {
 
 struct DeviceWish {
-  std::string name;                         // part of the device's name, any case; "": any device
+  std::string name = {};                    // part of the device's name, any case; "": any device
   bool preferCpu = false;                   // a software device before a GPU
   std::span<const std::string> features{};  // of VkPhysicalDeviceFeatures, by name
 };

@@ -16,11 +16,11 @@ namespace rigel::tools {
 
 /// Text is compiled in the order types, uniforms, prelude, body; errors name these parts and the line within them.
 struct ShaderFunctionSource {
-  std::string prelude;               // "#define RIGEL_BANDS 5\n#include <rigel/sh.glsl>\n" and helper functions
+  std::string prelude = {};          // "#define RIGEL_BANDS 5\n#include <rigel/sh.glsl>\n" and helper functions
   std::vector<std::string> inputs;   // one declaration each: "vec3 n", "float w[12]"; of float, int, vec2, vec3, vec4
   std::vector<std::string> outputs;  // the same: "float y[9]"; what the body does not set is NaN, or INT_MIN
   std::string body;                  // statements that read the inputs and set the outputs; may `return`
-  std::string uniforms;              // members of a std140 block called shared_: "GpuRig rig; vec4 coefficients[64];"
+  std::string uniforms = {};         // members of a std140 block called shared_: "GpuRig rig; vec4 coefficients[64];"
   bool texels = false;               // declares `uniform samplerBuffer texels` of RGBA32F
   int textures = 0;                  // declares `uniform sampler3D textures[n]`
   std::string types = {};            // structs and macros that the uniforms need; <rigel/shader_types.h> is included
