@@ -1,5 +1,7 @@
 #include "lattice_kernel.h"
 
+#include <rigel/shader_lattice.h>
+
 #include <algorithm>
 
 namespace rigel {
@@ -8,10 +10,8 @@ namespace {
 /// Catmull-Rom between nodes `cell` and `cell + 1` at t in [0, 1]. An outer neighbour that does not exist is
 /// 2 p0 - p1 (or 2 p1 - p0): its weight goes to the two inner nodes.
 AxisWeights catmullRom(int cell, int nodes, float t) noexcept {
-  const float t2 = t * t;
-  const float t3 = t2 * t;
-  std::array<float, 4> w{0.5f * (-t + 2 * t2 - t3), 0.5f * (2 - 5 * t2 + 3 * t3), 0.5f * (t + 4 * t2 - 3 * t3),
-                         0.5f * (t3 - t2)};
+  using namespace detail;
+  const std::array<float, 4> w{latticeOuter(t), latticeInner(t), latticeInner(1 - t), latticeOuter(1 - t)};
   AxisWeights out{cell - 1, 4, w};
   if (cell + 2 >= nodes) {
     out.weight[2] += 2 * w[3];
@@ -36,7 +36,7 @@ AxisWeights axisWeights(LatticeKernel kernel, int nodes, float u) noexcept {
   const int cell = std::min(static_cast<int>(x), nodes - 2);
   float t = x - static_cast<float>(cell);
   if (kernel == LatticeKernel::cubic) return catmullRom(cell, nodes, t);
-  if (kernel == LatticeKernel::smooth) t = t * t * (3 - 2 * t);
+  if (kernel == LatticeKernel::smooth) t = detail::latticeSmooth(t);
   return {cell, 2, {1 - t, t}};
 }
 

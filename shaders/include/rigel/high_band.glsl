@@ -5,9 +5,9 @@
 #ifndef RIGEL_HIGH_BAND_GLSL
 #define RIGEL_HIGH_BAND_GLSL
 
-#include <rigel/rig_source.glsl>
-#include <rigel/shader_constants.h>
-#include <rigel/shader_types.h>
+#include "rigel/rig_source.glsl"
+#include "rigel/shader_constants.h"
+#include "rigel/shader_types.h"
 
 #ifndef RIGEL_HIGH_BAND
 #define RIGEL_HIGH_BAND(rig) rig.highBand

@@ -1,38 +1,37 @@
 // Rigs of every kind at a point of the world.
 //
-// A scene that lacks a kind leaves it out: RIGEL_HAS_KIND(kind) says whether it may occur, and is a specialisation
-// constant or an expression of such in an entry shader. RIGEL_SCALE(rig) is 1.0 where all coefficients are float32. What
-// else may be defined is in rig_source.glsl, rig_poly.glsl and rig_tensor.glsl.
+// What a scene lacks is left out by what an entry shader defines, of specialisation constants, before the include:
+//   RIGEL_IS_KIND(rig, kind)  whether the rig is of a kind (kGpuRigPoly, ...)
+//   RIGEL_SCALE(rig)          1.0 where all coefficients are float32
+// and what is in rig_source.glsl, rig_poly.glsl and rig_tensor.glsl.
 #ifndef RIGEL_RIG_GLSL
 #define RIGEL_RIG_GLSL
 
-#include <rigel/rig_box.glsl>
-#include <rigel/rig_poly.glsl>
-#include <rigel/rig_source.glsl>
-#include <rigel/rig_tensor.glsl>
-#include <rigel/shader_types.h>
+#include "rigel/rig_box.glsl"
+#include "rigel/rig_poly.glsl"
+#include "rigel/rig_source.glsl"
+#include "rigel/rig_tensor.glsl"
+#include "rigel/shader_types.h"
 
-#ifndef RIGEL_HAS_KIND
-#define RIGEL_HAS_KIND(kind) true
+#ifndef RIGEL_IS_KIND
+#define RIGEL_IS_KIND(rig, rigKind) (rig.kind == (rigKind))
 #endif
 #ifndef RIGEL_SCALE
 #define RIGEL_SCALE(rig) rig.scale
 #endif
 
-bool rigel_isRigKind(GpuRig rig, int kind) { return RIGEL_HAS_KIND(kind) && rig.kind == kind; }
-
 /// Irradiance [W/m2] from the rig at `p` (m, world), not clamped. `y` is the SH basis of the normal times f_l(a), made
 /// once a point. A rig without vectors gives 0.
 vec3 rigel_rigIrradiance(RIGEL_SOURCE source, GpuRig rig, vec3 p, float y[RIGEL_SH_COUNT]) {
   vec3 e = vec3(0.0);
-  if (rigel_isRigKind(rig, kGpuRigConstant) && RIGEL_VECTORS(rig) > 0) {
+  if (RIGEL_IS_KIND(rig, kGpuRigConstant) && RIGEL_VECTORS(rig) > 0) {
     e = rigel_dotVector(source, RIGEL_OFFSET(rig), y);
   } else if (RIGEL_VECTORS(rig) > 0) {
     vec3 u = rigel_boxCoordinates(rig, p);
-    if (rigel_isRigKind(rig, kGpuRigPoly)) e = rigel_polyIrradiance(source, rig, u, y);
-    if (rigel_isRigKind(rig, kGpuRigInvquad)) e = rigel_polyIrradiance(source, rig, u, y) / rigel_falloff(rig, u);
-    if (rigel_isRigKind(rig, kGpuRigTensor)) e = rigel_tensorIrradiance(source, rig, u, y);
-    if (rigel_isRigKind(rig, kGpuRigGauss)) e = rigel_gaussIrradiance(source, rig, u, y);
+    if (RIGEL_IS_KIND(rig, kGpuRigPoly)) e = rigel_polyIrradiance(source, rig, u, y);
+    if (RIGEL_IS_KIND(rig, kGpuRigInvquad)) e = rigel_polyIrradiance(source, rig, u, y) / rigel_falloff(rig, u);
+    if (RIGEL_IS_KIND(rig, kGpuRigTensor)) e = rigel_tensorIrradiance(source, rig, u, y);
+    if (RIGEL_IS_KIND(rig, kGpuRigGauss)) e = rigel_gaussIrradiance(source, rig, u, y);
   }
   return e * RIGEL_SCALE(rig);
 }
@@ -41,17 +40,17 @@ vec3 rigel_rigIrradiance(RIGEL_SOURCE source, GpuRig rig, vec3 p, float y[RIGEL_
 void rigel_rigSh(RIGEL_SOURCE source, GpuRig rig, vec3 p, out vec3 sh[RIGEL_SH_COUNT]) {
   float scale = RIGEL_SCALE(rig);
   rigel_clearSh(sh);
-  if (rigel_isRigKind(rig, kGpuRigConstant) && RIGEL_VECTORS(rig) > 0) {
+  if (RIGEL_IS_KIND(rig, kGpuRigConstant) && RIGEL_VECTORS(rig) > 0) {
     rigel_addVector(source, RIGEL_OFFSET(rig), 1.0, sh);
   } else if (RIGEL_VECTORS(rig) > 0) {
     vec3 u = rigel_boxCoordinates(rig, p);
-    if (rigel_isRigKind(rig, kGpuRigPoly)) rigel_polySh(source, rig, u, sh);
-    if (rigel_isRigKind(rig, kGpuRigInvquad)) {
+    if (RIGEL_IS_KIND(rig, kGpuRigPoly)) rigel_polySh(source, rig, u, sh);
+    if (RIGEL_IS_KIND(rig, kGpuRigInvquad)) {
       rigel_polySh(source, rig, u, sh);
       scale /= rigel_falloff(rig, u);
     }
-    if (rigel_isRigKind(rig, kGpuRigTensor)) rigel_tensorSh(source, rig, u, sh);
-    if (rigel_isRigKind(rig, kGpuRigGauss)) rigel_gaussSh(source, rig, u, sh);
+    if (RIGEL_IS_KIND(rig, kGpuRigTensor)) rigel_tensorSh(source, rig, u, sh);
+    if (RIGEL_IS_KIND(rig, kGpuRigGauss)) rigel_gaussSh(source, rig, u, sh);
   }
   for (int i = 0; i < RIGEL_SH_COUNT; ++i) sh[i] *= scale;
 }

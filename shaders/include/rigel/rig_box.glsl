@@ -2,7 +2,7 @@
 #ifndef RIGEL_RIG_BOX_GLSL
 #define RIGEL_RIG_BOX_GLSL
 
-#include <rigel/shader_types.h>
+#include "rigel/shader_types.h"
 
 /// u in [-1, 1] inside the box, 0 along an axis without extent and for a coordinate that is not a number. `p` in the
 /// world; nothing is lost far from the origin: p - centre is exact near the box, and what the centre was rounded by is

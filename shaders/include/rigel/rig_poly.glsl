@@ -3,15 +3,15 @@
 // Terms are unrolled up to RIGEL_POLY_MAX (16 unless defined; at most 56), each under a condition on the rig's number of
 // vectors, so that K may change from frame to frame and from object to object. What shapes the polynomial comes from the
 // rig, or from what an entry shader defines instead; of specialisation constants nothing but the sums is left.
-//   RIGEL_VECTORS(rig)  K
+//   RIGEL_VECTORS(rig)  K > 0
 //   RIGEL_TERM(rig, k)  from * 4 + axis: monomial k is monomial `from` times coordinate `axis`; k is a constant
 //   RIGEL_OFFSET(rig)   vec4 where the coefficients begin: 0 for a uniform block that holds one rig
-// With RIGEL_POLY_LOOP it is a loop instead: any K in the least code, about twice the time.
+// With RIGEL_POLY_LOOP the sum is a loop to K: for software devices, which take both sides of every condition.
 #ifndef RIGEL_RIG_POLY_GLSL
 #define RIGEL_RIG_POLY_GLSL
 
-#include <rigel/rig_source.glsl>
-#include <rigel/shader_types.h>
+#include "rigel/rig_source.glsl"
+#include "rigel/shader_types.h"
 
 #ifndef RIGEL_POLY_MAX
 #define RIGEL_POLY_MAX 16
@@ -26,73 +26,75 @@
 #define RIGEL_OFFSET(rig) rig.offset
 #endif
 
-#define RIGEL_POLY_TERM(ADD, k)                                            \
-  if ((k) < RIGEL_VECTORS(rig)) {                                          \
-    phi[k] = phi[RIGEL_TERM(rig, k) >> 2] * u[RIGEL_TERM(rig, k) & 3];     \
-    ADD(RIGEL_OFFSET(rig) + (k) * RIGEL_SH_VEC4, phi[k])                   \
+#define RIGEL_MONOMIAL(ADD, k) phi[k] = phi[RIGEL_TERM(rig, k) >> 2] * u[RIGEL_TERM(rig, k) & 3];
+#define RIGEL_POLY_TERM(ADD, k)                                  \
+  if ((k) < RIGEL_VECTORS(rig)) {                                \
+    RIGEL_MONOMIAL(ADD, k)                                       \
+    ADD(RIGEL_OFFSET(rig) + (k) * RIGEL_SH_VEC4, phi[k])         \
   }
-#define RIGEL_POLY_TERMS_4(ADD, k) \
-  RIGEL_POLY_TERM(ADD, k) RIGEL_POLY_TERM(ADD, (k) + 1) RIGEL_POLY_TERM(ADD, (k) + 2) RIGEL_POLY_TERM(ADD, (k) + 3)
-#define RIGEL_POLY_TERMS_8(ADD, k) RIGEL_POLY_TERMS_4(ADD, k) RIGEL_POLY_TERMS_4(ADD, (k) + 4)
 
+#define RIGEL_POLY_4(DO, ADD, k) DO(ADD, k) DO(ADD, (k) + 1) DO(ADD, (k) + 2) DO(ADD, (k) + 3)
+#define RIGEL_POLY_8(DO, ADD, k) RIGEL_POLY_4(DO, ADD, k) RIGEL_POLY_4(DO, ADD, (k) + 4)
 #if RIGEL_POLY_MAX > 8
-#define RIGEL_POLY_FROM_8(ADD) RIGEL_POLY_TERMS_8(ADD, 8)
+#define RIGEL_POLY_FROM_8(DO, ADD) RIGEL_POLY_8(DO, ADD, 8)
 #else
-#define RIGEL_POLY_FROM_8(ADD)
+#define RIGEL_POLY_FROM_8(DO, ADD)
 #endif
 #if RIGEL_POLY_MAX > 16
-#define RIGEL_POLY_FROM_16(ADD) RIGEL_POLY_TERMS_8(ADD, 16)
+#define RIGEL_POLY_FROM_16(DO, ADD) RIGEL_POLY_8(DO, ADD, 16)
 #else
-#define RIGEL_POLY_FROM_16(ADD)
+#define RIGEL_POLY_FROM_16(DO, ADD)
 #endif
 #if RIGEL_POLY_MAX > 24
-#define RIGEL_POLY_FROM_24(ADD) RIGEL_POLY_TERMS_8(ADD, 24)
+#define RIGEL_POLY_FROM_24(DO, ADD) RIGEL_POLY_8(DO, ADD, 24)
 #else
-#define RIGEL_POLY_FROM_24(ADD)
+#define RIGEL_POLY_FROM_24(DO, ADD)
 #endif
 #if RIGEL_POLY_MAX > 32
-#define RIGEL_POLY_FROM_32(ADD) RIGEL_POLY_TERMS_8(ADD, 32)
+#define RIGEL_POLY_FROM_32(DO, ADD) RIGEL_POLY_8(DO, ADD, 32)
 #else
-#define RIGEL_POLY_FROM_32(ADD)
+#define RIGEL_POLY_FROM_32(DO, ADD)
 #endif
 #if RIGEL_POLY_MAX > 40
-#define RIGEL_POLY_FROM_40(ADD) RIGEL_POLY_TERMS_8(ADD, 40)
+#define RIGEL_POLY_FROM_40(DO, ADD) RIGEL_POLY_8(DO, ADD, 40)
 #else
-#define RIGEL_POLY_FROM_40(ADD)
+#define RIGEL_POLY_FROM_40(DO, ADD)
 #endif
 #if RIGEL_POLY_MAX > 48
-#define RIGEL_POLY_FROM_48(ADD) RIGEL_POLY_TERMS_8(ADD, 48)
+#define RIGEL_POLY_FROM_48(DO, ADD) RIGEL_POLY_8(DO, ADD, 48)
 #else
-#define RIGEL_POLY_FROM_48(ADD)
+#define RIGEL_POLY_FROM_48(DO, ADD)
 #endif
+// DO(ADD, k) for every k from 1.
+#define RIGEL_POLY_ALL(DO, ADD)                                                                          \
+  DO(ADD, 1) DO(ADD, 2) DO(ADD, 3) RIGEL_POLY_4(DO, ADD, 4)                                              \
+  RIGEL_POLY_FROM_8(DO, ADD) RIGEL_POLY_FROM_16(DO, ADD) RIGEL_POLY_FROM_24(DO, ADD)                     \
+  RIGEL_POLY_FROM_32(DO, ADD) RIGEL_POLY_FROM_40(DO, ADD) RIGEL_POLY_FROM_48(DO, ADD)
 
-#ifdef RIGEL_POLY_LOOP
-#define RIGEL_POLY_PHI 56
-#define RIGEL_POLY_TERMS(ADD)                    \
-  if (0 < RIGEL_VECTORS(rig)) {                  \
-    phi[0] = 1.0;                                \
-    ADD(RIGEL_OFFSET(rig), 1.0)                  \
-  }                                              \
-  for (int k = 1; k < RIGEL_VECTORS(rig); ++k) { \
-    RIGEL_POLY_TERM(ADD, k)                      \
-  }
-#else
 #define RIGEL_POLY_PHI ((RIGEL_POLY_MAX + 7) / 8 * 8)
-#define RIGEL_POLY_TERMS(ADD)                                                                          \
-  if (0 < RIGEL_VECTORS(rig)) {                                                                        \
-    phi[0] = 1.0;                                                                                      \
-    ADD(RIGEL_OFFSET(rig), 1.0)                                                                        \
-  }                                                                                                    \
-  RIGEL_POLY_TERM(ADD, 1) RIGEL_POLY_TERM(ADD, 2) RIGEL_POLY_TERM(ADD, 3) RIGEL_POLY_TERMS_4(ADD, 4)   \
-  RIGEL_POLY_FROM_8(ADD) RIGEL_POLY_FROM_16(ADD) RIGEL_POLY_FROM_24(ADD)                               \
-  RIGEL_POLY_FROM_32(ADD) RIGEL_POLY_FROM_40(ADD) RIGEL_POLY_FROM_48(ADD)
+#ifdef RIGEL_POLY_LOOP
+#define RIGEL_POLY_SUM(ADD)                    \
+  phi[0] = 1.0;                                \
+  RIGEL_POLY_ALL(RIGEL_MONOMIAL, ADD)          \
+  int at = RIGEL_OFFSET(rig);                  \
+  int k = 0;                                   \
+  do {                                         \
+    ADD(at, phi[k])                            \
+    at += RIGEL_SH_VEC4;                       \
+    ++k;                                       \
+  } while (k < RIGEL_VECTORS(rig));
+#else
+#define RIGEL_POLY_SUM(ADD)                    \
+  phi[0] = 1.0;                                \
+  ADD(RIGEL_OFFSET(rig), 1.0)                  \
+  RIGEL_POLY_ALL(RIGEL_POLY_TERM, ADD)
 #endif
 
 /// sum_k phi_k(u) sum_i y_i c_ki: with y the basis of the normal times f_l, irradiance over the rig's scale.
 vec3 rigel_polyIrradiance(RIGEL_SOURCE source, GpuRig rig, vec3 u, float y[RIGEL_SH_COUNT]) {
   float phi[RIGEL_POLY_PHI];
   vec3 e = vec3(0.0);
-  RIGEL_POLY_TERMS(RIGEL_ADD_IRRADIANCE)
+  RIGEL_POLY_SUM(RIGEL_ADD_IRRADIANCE)
   return e;
 }
 
@@ -100,7 +102,7 @@ vec3 rigel_polyIrradiance(RIGEL_SOURCE source, GpuRig rig, vec3 u, float y[RIGEL
 void rigel_polySh(RIGEL_SOURCE source, GpuRig rig, vec3 u, out vec3 sh[RIGEL_SH_COUNT]) {
   float phi[RIGEL_POLY_PHI];
   rigel_clearSh(sh);
-  RIGEL_POLY_TERMS(RIGEL_ADD_SH)
+  RIGEL_POLY_SUM(RIGEL_ADD_SH)
 }
 
 /// q > 0, what invquad divides by, at the point of the box that is nearest to u.

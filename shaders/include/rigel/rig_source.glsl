@@ -11,7 +11,7 @@
 #ifndef RIGEL_RIG_SOURCE_GLSL
 #define RIGEL_RIG_SOURCE_GLSL
 
-#include <rigel/sh.glsl>
+#include "rigel/sh.glsl"
 
 #ifndef RIGEL_SOURCE
 #define RIGEL_SOURCE samplerBuffer

@@ -11,9 +11,9 @@
 #ifndef RIGEL_RIG_TENSOR_GLSL
 #define RIGEL_RIG_TENSOR_GLSL
 
-#include <rigel/rig_source.glsl>
-#include <rigel/shader_lattice.h>
-#include <rigel/shader_types.h>
+#include "rigel/rig_source.glsl"
+#include "rigel/shader_lattice.h"
+#include "rigel/shader_types.h"
 
 #ifndef RIGEL_OFFSET
 #define RIGEL_OFFSET(rig) rig.offset

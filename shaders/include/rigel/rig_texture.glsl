@@ -7,11 +7,11 @@
 #ifndef RIGEL_RIG_TEXTURE_GLSL
 #define RIGEL_RIG_TEXTURE_GLSL
 
-#include <rigel/rig_box.glsl>
-#include <rigel/rig_source.glsl>
-#include <rigel/rig_tensor.glsl>
-#include <rigel/shader_lattice.h>
-#include <rigel/shader_types.h>
+#include "rigel/rig_box.glsl"
+#include "rigel/rig_source.glsl"
+#include "rigel/rig_tensor.glsl"
+#include "rigel/shader_lattice.h"
+#include "rigel/shader_types.h"
 
 /// Where `u` is in slab 0, in [0, 1]^3 of the texture; the step from slab to slab in z is 1 / RIGEL_SH_VEC4. kGpuSmooth
 /// bends the way from node to node; kGpuCubic is not to be had in one look-up and is refused by the packing.
