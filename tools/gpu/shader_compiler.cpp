@@ -3,6 +3,7 @@
 #include <glslang/Public/ResourceLimits.h>
 #include <glslang/Public/ShaderLang.h>
 #include <glslang/SPIRV/GlslangToSpv.h>
+#include <spirv-tools/libspirv.hpp>
 
 #include <fstream>
 #include <iterator>
@@ -103,8 +104,19 @@ Result<CompiledShader> compileShader(ShaderKind kind, std::span<const ShaderText
   if (!program.link(kMessages)) return errorOf(program.getInfoLog());
   CompiledShader compiled;
   glslang::GlslangToSpv(*program.getIntermediate(language), compiled.spirv);
+  if (const auto error = validateSpirv(compiled.spirv)) return *error;
   compiled.uniformBlockBytes = uniformBlockBytes(program);
   return compiled;
+}
+
+std::optional<Error> validateSpirv(std::span<const std::uint32_t> spirv) {
+  std::string message;
+  spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_1);
+  tools.SetMessageConsumer([&](spv_message_level_t, const char*, const spv_position_t&, const char* text) {
+    if (message.empty()) message = text;
+  });
+  if (tools.Validate(spirv.data(), spirv.size())) return {};
+  return Error{message, "SPIR-V"};
 }
 
 std::filesystem::path shaderLibrary() { return RIGEL_SHADER_LIBRARY; }

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -30,6 +31,9 @@ enum class ShaderKind { vertex, fragment, compute };
 /// first, its place PART:LINE, or FILE:LINE as the file was included.
 Result<CompiledShader> compileShader(ShaderKind kind, std::span<const ShaderText> parts,
                                      std::span<const std::filesystem::path> folders);
+
+/// As spirv-val for Vulkan 1.1, which compileShader has every result pass. An error is the first.
+std::optional<Error> validateSpirv(std::span<const std::uint32_t> spirv);
 
 /// The folder of Rigel's GLSL library in the source tree.
 std::filesystem::path shaderLibrary();
