@@ -119,8 +119,8 @@ TEST_F(BadInput, Options) {
   expectRefused("sample:touch", 2, "--near x: expected auto", {"--near", "x"});
   expectRefused("sample:touch", 2, "--near", {"--near", "65"});
   expectRefused("sample:touch", 2, "--rate", {"--rate", "0"});
-  expectRefused("sample:touch", 2, "--error 0.05: no rig here chooses", {"--error", "0.05"});
-  expectRefused("sample:touch", 2, "no rig here chooses", {"--budget-us", "100", "--near", "4"});
+  expectRefused("sample:touch", 2, "--error 0.05: no rig here chooses", {"--rig", "poly:6", "--error", "0.05"});
+  expectRefused("sample:touch", 2, "no rig here chooses", {"--rig", "poly:6", "--budget-us", "100", "--near", "4"});
   expectRefused("sample:touch", 2, "--error 5: must be", {"--rig", "auto", "--error", "5"});
   expectRefused("sample:touch", 2, "--error 0.05 --total-error 0.1: only one of the two",
                 {"--rig", "auto", "--error", "0.05", "--total-error", "0.1"});

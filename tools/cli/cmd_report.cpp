@@ -20,7 +20,7 @@
 namespace rigel::tools {
 namespace {
 
-constexpr const char* kDefaultRigs = "constant;gradient;mixed:l3,g,c;lattice:3x2x2;lattice:8x4x2;poly:6;poly:12";
+constexpr const char* kDefaultRigs = "constant;gradient;mixed:l3,g,c;lattice:3x2x2;lattice:8x4x2;poly:6;poly:12;auto";
 
 struct Arguments {
   std::vector<std::string> scenes;
@@ -171,7 +171,8 @@ Command addReport(CLI::App& root) {
       "@numeric or @lsq picks how parameters are computed. auto[:K] takes, in each frame, as many of K SH vectors and\n"
       "as many near lights as its target needs.\n\n"
       "Examples: rigel report sample:street --rig \"gradient;poly:6\" --out street\n"
-      "          rigel report sample:touch --rig \"auto;poly:6\" --near auto --error 0.02 --out touch");
+      "          rigel report sample:touch --rig \"auto;poly:6\" --near auto --error 0.02 --out touch\n"
+      "          rigel report crowd.glb --lights sample:street --rig auto --budget-us 3000 --out crowd");
   return {app, [arguments] { return runReportCommand(*arguments); }};
 }
 

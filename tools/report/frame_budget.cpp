@@ -9,17 +9,21 @@ void FrameBudget::measure(std::span<ObjectRun> runs, const LightSet& lights) {
   std::vector<RigRunner*> rigs;
   for (ObjectRun& run : runs) rigs.push_back(&run.rig(rig_));
   std::vector<BudgetShare> shares(rigs.size());
-  for (int i = 0; i < runs.front().timings(); ++i) {
+  const auto light = [&](float seconds) {
     for (ObjectRun& run : runs) run.pose(rig_);
-    lightWithin(budget_, rigs, lights, runs.front().secondsOf(i), shares);
-    for (ObjectRun& run : runs) run.time(rig_);
-  }
+    lightWithin(budget_, rigs, lights, seconds, shares);
+  };
+  light(runs.front().secondsAFrame());
   double used = 0;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     runs[i].compareShared(rig_, lights, shares[i].granted);
     used += static_cast<double>(rigs[i]->modelledMicroseconds());
   }
   used_.push_back(used);
+  for (int i = 0; i < runs.front().timings(); ++i) {
+    light(ObjectRun::kNoTime);
+    for (ObjectRun& run : runs) run.time(rig_);
+  }
 }
 
 SharedBudget FrameBudget::report(const RunOptions& options) const {

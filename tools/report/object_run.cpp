@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
 
 namespace rigel::tools {
@@ -11,12 +10,6 @@ namespace {
 double square(double x) { return x * x; }
 
 /// The wrap of most of the surface: what bounds and estimates are made for where materials differ.
-float commonWrap(std::span<const float> wraps) {
-  std::map<float, int> counts;
-  for (const float wrap : wraps) ++counts[wrap];
-  return std::ranges::max_element(counts, {}, [](const auto& entry) { return entry.second; })->first;
-}
-
 double meanGranted(const RigReport& rig) {
   double sum = 0;
   for (const RigFrame& frame : rig.frames) sum += frame.granted.value_or(0);
@@ -103,15 +96,19 @@ void ObjectRun::measure(const RunFrame& frame, const LightSet& lights) {
 void ObjectRun::lightByItself(MeasuredRig& rig, const LightSet& lights) {
   RigRunner* runner = rig.runner.get();
   BudgetShare share;
-  for (int i = 0; i < setting_.timings; ++i) {
+  const auto light = [&](float seconds) {
     runner->pose(*object_, posed_);
     if (rig.shares)
-      lightWithin(*budget_, {&runner, 1}, lights, secondsOf(i), {&share, 1});
+      lightWithin(*budget_, {&runner, 1}, lights, seconds, {&share, 1});
     else
-      runner->light(lights, secondsOf(i));
+      runner->light(lights, seconds);
+  };
+  light(secondsAFrame());
+  compare(rig, lights, rig.shares ? std::optional(share.granted) : std::nullopt);
+  for (int i = 0; i < setting_.timings; ++i) {
+    light(kNoTime);
     time(rig);
   }
-  compare(rig, lights, rig.shares ? std::optional(share.granted) : std::nullopt);
 }
 
 void ObjectRun::compareShared(std::size_t i, const LightSet& lights, float granted) {
@@ -122,15 +119,15 @@ void ObjectRun::compareShared(std::size_t i, const LightSet& lights, float grant
   lightByItself(alone, lights);
 }
 
-void ObjectRun::time(MeasuredRig& rig) {
-  const double shade = rig.runner->shade(truth_.points, surface_.wrap, shaded_);
-  rig.tally.addTiming(rig.runner->times(), shade);
-}
-
 void ObjectRun::compare(MeasuredRig& rig, const LightSet& lights, std::optional<float> granted) {
   rig.runner->shade(truth_.points, surface_.wrap, shaded_);
   rig.tally.addFrame(*rig.runner, shaded_, truth_, shOfFarShares(*rig.runner, lights), surface_.wrap, followsOn_);
   if (granted) rig.tally.grant(*granted);
+}
+
+void ObjectRun::time(MeasuredRig& rig) {
+  const double shade = rig.runner->shade(truth_.points, surface_.wrap, shaded_);
+  rig.tally.addTiming(rig.runner->times(), shade);
 }
 
 std::span<const Rgb> ObjectRun::shOfFarShares(const RigRunner& rig, const LightSet& lights) {

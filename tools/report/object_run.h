@@ -37,14 +37,16 @@ class ObjectRun {
   /// Begins a frame, and compares all rigs but those that share the frame's time. Frames come in the order of time.
   void measure(const RunFrame& frame, const LightSet& lights);
 
-  /// For FrameBudget, in a frame that has begun: `pose`, then the rig is lit, then `time`, `timings` times over; then
-  /// `compareShared` with the error that it was lit to, which lights the rig once more for itself alone.
+  /// For FrameBudget, in a frame that has begun: pose, then the rig is lit, then compareShared with the error that it
+  /// was lit to, which lights the rig once more for itself alone; then `timings` times pose, lit again with kNoTime,
+  /// and time.
   void pose(std::size_t rig) { rigs_[rig].runner->pose(*object_, posed_); }
-  void time(std::size_t rig) { time(rigs_[rig]); }
   void compareShared(std::size_t rig, const LightSet& lights, float granted);
+  void time(std::size_t rig) { time(rigs_[rig]); }
   int timings() const { return setting_.timings; }
-  /// Timing a frame again must not let anything fade further.
-  float secondsOf(int timing) const { return timing == 0 ? static_cast<float>(1 / rate_) : kNoTime; }
+  float secondsAFrame() const { return static_cast<float>(1 / rate_); }
+  /// Lighting a frame again, to time it with its data in the caches for all rigs alike, must not let anything fade.
+  static constexpr float kNoTime = 1e-9f;
 
   /// The figures so far; `lights` in the order of the sets measured. Errors are relative to the mean exact irradiance
   /// of the run; where that is 0 (no light reaches the object) they are 0.
@@ -63,8 +65,6 @@ class ObjectRun {
   void relight(std::size_t rig, std::size_t frame, const PosedObject& posed, const LightSet& lights) const;
 
  private:
-  static constexpr float kNoTime = 1e-9f;
-
   struct FrameTruth {
     double mean = 0;
     std::optional<double> movementSquares;
