@@ -34,7 +34,11 @@ struct NearView {
   float scale = 0;
 };
 
-float held(float value) noexcept { return std::clamp(value, -kMaxProjectionScale, kMaxProjectionScale); }
+/// Between these float holds a square as well as double does; its root is cheaper.
+constexpr double kMinFloatSquare = 1e-30;
+constexpr double kMaxFloatSquare = 1e36;
+
+float held(float value) noexcept { return detail::clamp(value, -kMaxProjectionScale, kMaxProjectionScale); }
 
 Rgb scaled(Rgb colour, float factor) noexcept {
   // Also false for NaN.
@@ -52,7 +56,7 @@ float rangeWindow(float d, float range) noexcept {
 float spotCone(const NearLight& light, Vec3 w, const NearView& view) noexcept {
   const float cosine = -dot(w, light.axis) * (view.inside ? view.s : 1.0f);
   const float width = std::max(light.cosInner - light.cosOuter, kMinConeWidth);
-  const float t = std::clamp((cosine - light.cosOuter) / width, 0.0f, 1.0f);
+  const float t = detail::clamp((cosine - light.cosOuter) / width, 0.0f, 1.0f);
   return t * t * (3 - 2 * t);
 }
 
@@ -61,11 +65,15 @@ NearView viewLocal(const NearLight& light, Vec3 p, Vec3 n) noexcept {
   const detail::Vec3d toCentre = detail::widen(light.position) - detail::widen(p);
   const double r2 = static_cast<double>(light.radius) * light.radius;
   const double d2 = detail::dot(toCentre, toCentre);
-  const auto d = static_cast<float>(std::sqrt(d2));
-  const auto gap = static_cast<float>(std::sqrt(std::abs(d2 - r2)));
+  float d = std::sqrt(static_cast<float>(d2));
+  float gap = std::sqrt(static_cast<float>(std::abs(d2 - r2)));
+  if (!(d2 + r2 > kMinFloatSquare && d2 + r2 < kMaxFloatSquare)) {
+    d = static_cast<float>(std::sqrt(d2));
+    gap = static_cast<float>(std::sqrt(std::abs(d2 - r2)));
+  }
   const float reach = std::max(d, light.radius);
   // Distances whose inverse float does not hold: only NaN, infinity and what no scene has.
-  if (!(reach >= 1e-37f && reach <= 1e37f)) return view;
+  if (!(reach >= static_cast<float>(kRigelMinReach) && reach <= static_cast<float>(kRigelMaxReach))) return view;
 
   const float inverse = 1 / reach;
   view.inside = d2 < r2;
@@ -73,7 +81,7 @@ NearView viewLocal(const NearLight& light, Vec3 p, Vec3 n) noexcept {
   view.c = gap * inverse;
   const float inverseDistance = view.inside ? 1 / std::max(d, 1e-37f) : inverse;
   const Vec3 w = detail::narrow(toCentre) * inverseDistance;
-  view.x = std::clamp(dot(n, w), -1.0f, 1.0f);
+  view.x = detail::clamp(dot(n, w), -1.0f, 1.0f);
   if (light.kind == NearLight::Kind::sphere) {
     view.scale = kPiFloat * (view.inside ? 1.0f : view.s * view.s);
     return view;
@@ -87,7 +95,7 @@ NearView viewLocal(const NearLight& light, Vec3 p, Vec3 n) noexcept {
 NearView viewOf(const NearLight& light, Vec3 p, Vec3 n) noexcept {
   if (light.kind != NearLight::Kind::directional) return viewLocal(light, p, n);
   NearView view;
-  view.x = std::clamp(dot(n, light.position), -1.0f, 1.0f);
+  view.x = detail::clamp(dot(n, light.position), -1.0f, 1.0f);
   view.scale = 1;
   return view;
 }
@@ -95,8 +103,8 @@ NearView viewOf(const NearLight& light, Vec3 p, Vec3 n) noexcept {
 /// `cap(x, s, c)` outside; inside the whole sphere less a cap on the other side.
 template <class Cap>
 float outsideOrIn(const NearView& view, float wholeSphere, const Cap& cap) noexcept {
-  if (!view.inside) return cap(view.x, view.s, view.c);
-  return wholeSphere - view.s * view.s * cap(-view.x, view.s, view.c);
+  const float e = cap(view.inside ? -view.x : view.x, view.s, view.c);
+  return view.inside ? wholeSphere - view.s * view.s * e : e;
 }
 
 }  // namespace

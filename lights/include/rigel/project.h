@@ -9,12 +9,13 @@
 
 #include <rigel/light.h>
 #include <rigel/sh.h>
+#include <rigel/shader_constants.h>
 
 namespace rigel {
 
 /// The magnitude a light's scale (flux 2 pi L min(1,(r/d)^2), and its derivative) is held to. Far above any physical
 /// light, and so far below the largest float that a hundred thousand lights at the limit still sum to a finite value.
-inline constexpr float kMaxProjectionScale = 1e32f;
+inline constexpr float kMaxProjectionScale = static_cast<float>(kRigelMaxScale);
 
 /// SH of one light at `p` (world, metres). No pi, no f_l. B in 2..5. About 50 flops + 6 B^2; no allocation.
 /// `footprint` [m] > 0: p stands for a patch of that radius, not for a point. The light is then taken to be at least

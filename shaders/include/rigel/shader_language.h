@@ -19,12 +19,13 @@
 namespace rigel::detail {
 
 using std::abs;
-using std::clamp;
 using std::max;
 using std::min;
 using std::sqrt;
 using uint = std::uint32_t;
 
+/// As GLSL defines it, and without the branches of std::clamp.
+inline float clamp(float x, float lo, float hi) noexcept { return min(max(x, lo), hi); }
 inline uint floatBitsToUint(float x) noexcept { return std::bit_cast<uint>(x); }
 inline float uintBitsToFloat(uint bits) noexcept { return std::bit_cast<float>(bits); }
 

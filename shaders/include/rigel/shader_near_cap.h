@@ -4,9 +4,9 @@
 #ifndef RIGEL_SHADER_NEAR_CAP_H
 #define RIGEL_SHADER_NEAR_CAP_H
 
-#include <rigel/shader_arctangent.h>
-#include <rigel/shader_types.h>
-#include <rigel/shader_wrap.h>
+#include "rigel/shader_arctangent.h"
+#include "rigel/shader_types.h"
+#include "rigel/shader_wrap.h"
 
 #ifdef __cplusplus
 #define rigel_lambertCap lambertCap
@@ -76,12 +76,9 @@ RIGEL_FUNCTION float rigel_wrapCap(float x, float s, float c, RIGEL_IN(GpuWrap) 
   // (2l+1)/4 P_l(x) by powers of x.
   float e = 0.25f * b0 - 0.625f * b2 + 0.84375f * b4 + q * (1.875f * b2 - 8.4375f * b4 + q * (9.84375f * b4));
   e += x * (0.75f * b1 - 2.625f * b3 + q * (4.375f * b3));
-  if (h > 0.0f) {
-    e += h * wrap.gain * rigel_blurredKernel(x, wrap.blur * s, wrap);
-  } else {
-    // No cap gives more than the whole sphere: where it touches, held at both ends or E would jump on the way in.
-    e = min(e, wrap.f.x / s2);
-  }
+  if (h > 0.0f) e += h * wrap.gain * rigel_blurredKernel(x, wrap.blur * s, wrap);
+  // No cap gives more than the whole sphere: where it touches, held at both ends or E would jump on the way in.
+  if (h <= 0.0f) e = min(e, wrap.f.x / s2);
   return max(e, 0.0f);
 }
 

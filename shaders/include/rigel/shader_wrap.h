@@ -2,7 +2,7 @@
 #ifndef RIGEL_SHADER_WRAP_H
 #define RIGEL_SHADER_WRAP_H
 
-#include <rigel/shader_language.h>
+#include "rigel/shader_language.h"
 
 #ifdef __cplusplus
 #define rigel_wrapPower wrapPower
@@ -10,26 +10,27 @@
 namespace rigel::detail {
 #endif
 
-/// base^(1+a) = base 2^(a log2 base) for 0 <= base <= 2 and -0.25 <= a <= 1: to 1.5e-7 of max(1, base^(1+a)). Exact for
-/// a = 0, for base 0 and 1. One division; NaN gives NaN. Minimax fits: log2 m = z P(z^2), z = (m-1)/(m+1), to 7e-10
-/// and 2^f - 1 = f Q(f), |f| <= 1/2, to 2e-9, both relative.
+/// base^(1+a) = base 2^(a log2 base) for 0 <= base <= 2 and -0.25 <= a <= 1: to 4.5e-7 of max(1, base^(1+a)). Exact for
+/// a = 0, for base 0 and 1. One division; NaN gives NaN. With base = 2^e m the whole part of a e goes into the exponent
+/// bits; what is left of it and a log2 m go into the exponential. Minimax fits: log2 m = z P(z^2), z = (m-1)/(m+1), to
+/// 1.2e-7, and 2^f = 1 + f Q(f), |f| <= 1, to 2.7e-7, both relative; summed in pairs, since it is latency that counts.
 RIGEL_FUNCTION float rigel_wrapPower(float base, float a) RIGEL_NOEXCEPT {
-  // base = 2^e m with m in [sqrt 1/2, sqrt 2); base = 0 gives some finite logarithm of no consequence.
+  // m in [sqrt 1/2, sqrt 2); base = 0 gives some finite logarithm of no consequence.
   uint bits = floatBitsToUint(base);
   int e = int(bits - 0x3f3504f3u) >> 23;
   float m = uintBitsToFloat(bits - (uint(e) << 23u));
   float z = (m - 1.0f) / (m + 1.0f);
   float q = z * z;
-  float logarithm = float(e) + z * (2.88539004f + q * (0.961798847f + q * (0.576712906f + q * 0.431776285f)));
+  float perZ = 2.88539052f + q * (0.961587489f + q * 0.595819175f);
 
-  float exponent = a * logarithm;
-  int whole = int(exponent + 256.5f) - 256;
-  float f = exponent - float(whole);
-  float fraction =
-      f * (0.693147182f + f * (0.240226477f + f * (0.0555033199f +
-                                                   f * (0.00961843971f + f * (0.00133991020f + f * 0.000153530797f)))));
+  float shift = a * float(e);
+  int whole = int(shift + 256.5f) - 256;
+  float f = (shift - float(whole)) + a * z * perZ;
+  float f2 = f * f;
+  float perF = (0.693148315f + f * 0.240224734f) +
+               f2 * ((0.0554926805f + f * 0.00962319039f) + f2 * (0.00135869742f + f * 0.000151883476f));
   float scaled = base * uintBitsToFloat(uint(whole + 127) << 23u);
-  return scaled + scaled * fraction;
+  return scaled + scaled * f * perF;
 }
 
 /// f(theta|a) for x = cos theta.
