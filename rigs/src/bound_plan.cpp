@@ -4,6 +4,7 @@
 #include "sample_plan.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace rigel {
@@ -23,6 +24,10 @@ constexpr KernelConstants constantsOf(LatticeKernel kernel, int nodes) noexcept 
   return {0, 0.125, 1};
 }
 
+double normOf(const AxisModel& model, LatticeKernel kernel) noexcept {
+  return model.kind == AxisModel::Kind::lattice ? constantsOf(kernel, model.nodes).lebesgue : 1;
+}
+
 void planAxis(BoundPlan::Axis& axis, const AxisModel& model, const RigSpec& spec, double& lebesgue) noexcept {
   switch (model.kind) {
     case AxisModel::Kind::constant:
@@ -36,7 +41,6 @@ void planAxis(BoundPlan::Axis& axis, const AxisModel& model, const RigSpec& spec
       const KernelConstants k = constantsOf(spec.kernel, model.nodes);
       const double spacing = 2 * axis.half / (model.nodes - 1);
       axis.node = axis.half;
-      // The operators of the axes are applied one after another, each with its own norm.
       axis.first = lebesgue * k.first * spacing;
       axis.second = lebesgue * k.second * spacing * spacing;
       lebesgue *= k.lebesgue;
@@ -60,8 +64,12 @@ BoundPlan boundPlan(const Rig& rig, float radius, detail::SamplePlan& samples) n
   plan.radius = std::min<double>(std::sqrt(diagonal), radius >= 0 ? radius : kNoRange);
 
   const auto& models = rig.axes();
+  // The operators of the axes are applied one after another, and each error counts with the norms of those before it:
+  // the smallest norms first.
+  std::array<int, 3> order{0, 1, 2};
+  std::ranges::stable_sort(order, {}, [&](int a) { return normOf(models[a], spec.kernel); });
   for (const AxisModel::Kind kind : {AxisModel::Kind::lattice, AxisModel::Kind::constant, AxisModel::Kind::gradient})
-    for (int a = 0; a < 3; ++a)
+    for (const int a : order)
       if (models[a].kind == kind) planAxis(plan.axis[a], models[a], spec, plan.lebesgue);
   for (BoundPlan::Axis& axis : plan.axis) {
     plan.gradients += axis.gradient > 0;

@@ -13,6 +13,7 @@
 #include <rigel/light_bound.h>
 
 #include "bound_plan.h"
+#include "cone_sweep.h"
 #include "interpolation_bound.h"
 #include "modulation_bound.h"
 #include "sample_bound.h"
@@ -20,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace rigel {
 namespace {
@@ -51,11 +53,13 @@ class Bound {
   }
 
   /// `served`, `nodes`: the modulation over points and samples. `lit`: distance to the nearest point that it lights.
-  LightBound operator()(const ModulationBound& served, const ModulationBound& nodes, double lit) noexcept {
+  /// `cone`, `fronts`: of a spot whose light varies over the object, and what it faces.
+  LightBound operator()(const ModulationBound& served, const ModulationBound& nodes, double lit,
+                        const SpotCone* cone = nullptr, std::span<const Front> fronts = {}) noexcept {
     LightBound out;
     if (!(served.most > 0)) return out;
-    const double error =
-        plan_.kind == BoundPlan::Kind::samples ? sampleError(served, lit) : tensorError(served, nodes, lit);
+    const double error = plan_.kind == BoundPlan::Kind::samples ? sampleError(served, lit)
+                                                                : tensorError(served, nodes, lit, cone, fronts);
     const double reach = std::max(lit, near_);
     const double peak = field_.peak(reach);
     out.peak = held(served.most * std::max(peak, field_.exactPeak(reach)));
@@ -81,13 +85,16 @@ class Bound {
   /// What slopes add to the rig's values where the light is modulated by up to `most` with slope `slope` at the nodes.
   double slopeRange(double most, double slope) const noexcept {
     if (plan_.gradients == 0) return 0;
-    double sum = 0;
+    double sum = 0, square = 0;
     for (const BoundPlan::Axis& axis : plan_.axis) {
       if (!(axis.gradient > 0)) continue;
-      sum += plan_.numeric ? most * (1 + wrap_.lobe) * nodePeak_ / (2 * kSecant) * axis.gradient / axis.half
-                           : axis.gradient * (most * heldSlope() + slope * nodePeak_);
+      sum += axis.gradient / axis.half;
+      square += axis.gradient * axis.gradient;
     }
-    return sum;
+    if (plan_.numeric) return sum * most * (1 + wrap_.lobe) * nodePeak_ / (2 * kSecant);
+    const bool ball = plan_.kind == BoundPlan::Kind::ball;
+    const double reach = ball ? ballRadius() : std::sqrt(square);
+    return reach * (most * heldSlope() + slope * nodePeak_);
   }
 
   /// Of one sample the slope is known at its very distance; within the light it falls to 0 at the centre.
@@ -97,34 +104,70 @@ class Bound {
     return one && nodes_.far < field_.radius() ? slope * nodes_.far / field_.radius() : slope;
   }
 
-  double tensorError(const ModulationBound& m, const ModulationBound& n, double lit) const noexcept {
+  double tensorError(const ModulationBound& m, const ModulationBound& n, double lit, const SpotCone* cone,
+                     std::span<const Front> fronts) const noexcept {
     const Range plainLight = light(field_.peak(near_));
-    const auto rigRange = [&](double most, double slope) {
-      const Range values = blended(light(most * nodePeak_), plan_.lebesgue);
-      const double slopes = slopeRange(most, slope);
-      return Range{values.down + slopes, values.up + slopes};
-    };
-    const double plainCap = difference(plainLight, rigRange(1, 0));
+    const double plainCap = difference(plainLight, rigRange(nodePeak_, slopeRange(1, 0)));
     const double secant = secantError(plan_, nodes_, field_);
     double plain = boxError(plan_, served_, field_);
     if (plan_.kind == BoundPlan::Kind::ball) plain = std::min(plain, ballError(plan_, served_, field_, plainCap));
     plain = std::min(plain + secant, plainCap);
     if (!(m.least < 1)) return plain;
 
-    const double cap = difference(light(m.most * field_.peak(std::max(lit, near_))), rigRange(n.most, n.slope));
-    return std::min(
+    const double cap = difference(light(m.most * field_.peak(std::max(lit, near_))),
+                                  rigRange(n.most * nodePeak_, slopeRange(n.most, n.slope)));
+    double error = std::min(
         {cap, n.most * plain + swing(m, n, plainLight.up), m.most * plain + smoothVariation(m), centred(m, n, plain)});
+    for (const Front& front : fronts) {
+      // Comes in as the light goes out of what it faces.
+      if (!(front.distance > 0)) continue;
+      const double share = std::min(1.0, 2 * front.distance / field_.radius());
+      error += share * (std::min(error, sweptError(ConeSweep(field_, *cone, front), n, plain, error)) - error);
+    }
+    return error;
   }
 
-  /// |(I - P)((M - m) phi)| from the ranges, m the largest M at the samples.
-  double swing(const ModulationBound& m, const ModulationBound& n, double peak) const noexcept {
-    const double above = std::max(0.0, m.most - n.most);
-    const double below = std::max(0.0, n.most - m.least);
+  /// From functions of window and cone swept over the region; no less than `enough` where that is all there is to know.
+  double sweptError(const ConeSweep& sweep, const ModulationBound& n, double plain, double enough) const noexcept {
+    const double peak = sweep.peak();
+    const Range rig = rigRange(std::min(peak, n.most * nodePeak_), slopeRange(n.most, n.slope));
+    const double error = difference(light(peak), rig);
+    if (n.most * plain >= std::min(error, enough)) return error;
+    const bool centred = plan_.kind == BoundPlan::Kind::ball && !plan_.numeric;
+    return std::min(error, n.most * plain + (centred ? sweptVariation(sweep, n) : sweptSwing(sweep, n)));
+  }
+
+  /// Of the rig's values, from the largest at its samples and what slopes add.
+  Range rigRange(double peak, double slopes) const noexcept {
+    const Range values = blended(light(peak), plan_.lebesgue);
+    return {values.down + slopes, values.up + slopes};
+  }
+
+  double ballRadius() const noexcept { return plan_.radius + served_.rounding; }
+
+  /// (M - M(c)) phi - slopes of M, c the only sample.
+  double sweptVariation(const ConeSweep& sweep, const ModulationBound& n) const noexcept {
+    const double slopes = plan_.constant ? 0 : ballRadius() * n.slope * nodePeak_;
+    return std::max(sweep.above(n.least), sweep.below(n.most)) + slopes;
+  }
+
+  /// |(I - P)((M - m) phi)|, m the largest M at the samples.
+  double sweptSwing(const ConeSweep& sweep, const ModulationBound& n) const noexcept {
+    return rest(n, sweep.above(n.most), sweep.below(n.most));
+  }
+
+  /// The same from the largest (M - m) phi and (m - M) phi.
+  double rest(const ModulationBound& n, double above, double below) const noexcept {
     const double swung = n.most - n.least;
-    const Range points{peak * std::max(below, wrap_.lobe * above), peak * std::max(above, wrap_.lobe * below)};
+    const Range points{std::max(below, wrap_.lobe * above), std::max(above, wrap_.lobe * below)};
     Range rig = blended({swung * nodePeak_, swung * wrap_.lobe * nodePeak_}, plan_.lebesgue);
     const double slopes = slopeRange(swung, n.slope);
     return difference(points, {rig.down + slopes, rig.up + slopes});
+  }
+
+  /// From the ranges.
+  double swing(const ModulationBound& m, const ModulationBound& n, double peak) const noexcept {
+    return rest(n, peak * std::max(0.0, m.most - n.most), peak * std::max(0.0, n.most - m.least));
   }
 
   /// The same from slope and curvature of M, m the largest M.
@@ -142,7 +185,7 @@ class Bound {
     if (plan_.kind != BoundPlan::Kind::ball || plan_.numeric) return kInfinite;
     const double off = std::max(m.most - n.least, n.most - m.least);
     if (plan_.constant) return m.most * plain + nodePeak_ * off;
-    const double b = plan_.radius + served_.rounding;
+    const double b = ballRadius();
     const double remainder = std::min(b * b / 2 * m.curvature, off + b * n.slope);
     const double start = served_.centre - b;
     const double change = start > field_.radius() ? field_.change(start, served_.centre) : kInfinite;
@@ -246,7 +289,12 @@ LightBound LightBounds::operator()(const SpotLight& light) const noexcept {
   ModulationBound served = over(place.served, lit);
   if (beyond > 0) served.most *= 1 - beyond / kFade;
   Bound bound(plan_, samples_, wrap_, place, field);
-  return bound(served, over(place.nodes, place.nodes.near), lit);
+  const ModulationBound nodes = over(place.nodes, place.nodes.near);
+  if (plan_.kind == BoundPlan::Kind::samples || !(served.least < 1)) return bound(served, nodes, lit);
+  const SpotCone cone{light.range, cosOuter, width, cosines(place.served, axis, radius)};
+  const std::array fronts{frontOf(place.served, axis), frontOfBall(place.served, axis)};
+  const bool knowsBall = plan_.kind == BoundPlan::Kind::ball;
+  return bound(served, nodes, lit, &cone, std::span(fronts).first(knowsBall ? 2 : 1));
 }
 
 LightBound LightBounds::operator()(const SphereLight& light) const noexcept {

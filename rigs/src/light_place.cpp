@@ -107,6 +107,20 @@ Interval cosines(const Region& region, const Triple& axis, double radius) noexce
   return {std::min(out.lo, out.hi), out.hi};
 }
 
+Front frontOf(const Region& region, const Triple& axis) noexcept {
+  double dot = 0, square = 0;
+  for (int a = 0; a < 3; ++a) {
+    dot += region.beyond[a] * (region.towards[a] > 0 ? axis[a] : -axis[a]);
+    square += region.beyond[a] * region.beyond[a];
+  }
+  return {square > 0 ? dot / std::sqrt(square) : 1, region.box, region.far, false};
+}
+
+Front frontOfBall(const Region& region, const Triple& axis) noexcept {
+  const double ball = region.radius + region.rounding;
+  return {dotOf(region.towards, axis) / region.centre, region.centre - ball, region.centre + ball, true};
+}
+
 double litDistance(const Region& region, const Triple& axis, double cosOuter) noexcept {
   double distance = region.near;
   for (int a = 0; a < 3; ++a) {

@@ -40,6 +40,20 @@ struct Interval {
 /// Cosines between `axis` (unit, rig frame) and the directions from a light of that radius to the region.
 Interval cosines(const Region& region, const Triple& axis, double radius) noexcept;
 
+/// What the light faces: a region that looks the same all around the direction to its nearest point. `distance` is not
+/// positive where the light is inside.
+struct Front {
+  double cosAxis = 1;   // between `axis` and that direction
+  double distance = 0;  // to the nearest point
+  double far = 0;       // to the farthest
+  bool ball = false;    // or all beyond the plane through the nearest point
+};
+
+/// The half space beyond the nearest point of the region's box.
+Front frontOf(const Region& region, const Triple& axis) noexcept;
+/// The region's ball.
+Front frontOfBall(const Region& region, const Triple& axis) noexcept;
+
 /// Distance to the nearest point of the region within the cone about `axis`, or less; infinite where the cone misses it
 /// for certain.
 double litDistance(const Region& region, const Triple& axis, double cosOuter) noexcept;

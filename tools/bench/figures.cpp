@@ -1,15 +1,13 @@
 #include "bench/figures.h"
 
 #include "bench/baselines.h"
+#include "bench/bench_case.h"
 
 #include <rigel/exact.h>
 #include <rigel/near_light.h>
 #include <rigel/rig_light.h>
 
-#include <benchmark/benchmark.h>
-
 #include <cmath>
-#include <functional>
 #include <map>
 #include <memory>
 #include <random>
@@ -20,18 +18,7 @@ namespace {
 
 using Sh = RadianceSH<3>;
 
-// A body about the size of a person, and lights one to ten metres off it.
-std::vector<Vec3> bodySurface() {
-  std::vector<Vec3> points;
-  for (int i = 0; i < 600; ++i) {
-    const float z = 1 - (2 * static_cast<float>(i) + 1) / 600;
-    const float phi = static_cast<float>(i) * 2.3999632f;
-    const float s = std::sqrt(1 - z * z);
-    points.push_back({0.3f * s * std::cos(phi), 0.9f * z, 0.2f * s * std::sin(phi)});
-  }
-  return points;
-}
-
+// Lights one to ten metres off the body.
 LightSet sphereLights(int count) {
   std::mt19937 random(5);
   std::uniform_real_distribution<float> unit(-1, 1);
@@ -43,15 +30,6 @@ LightSet sphereLights(int count) {
   return lights;
 }
 
-struct Case {
-  std::string name;
-  std::string unit;
-  double perIteration = 1;  // items: lights x points, characters, points
-  double nanosecondsPerUnit = 1;
-  std::string baseline;
-  std::function<void(benchmark::State&)> body;
-};
-
 const std::vector<Vec3>& samplePoints() {
   static const std::vector<Vec3> points = [] {
     const auto surface = bodySurface();
@@ -60,7 +38,7 @@ const std::vector<Vec3>& samplePoints() {
   return points;
 }
 
-void addProjectionCases(std::vector<Case>& cases) {
+void addProjectionCases(std::vector<BenchCase>& cases) {
   for (int n : {8, 64, 1024}) {
     const auto lights = std::make_shared<LightSet>(sphereLights(n));
     const double items = n * static_cast<double>(samplePoints().size());
@@ -129,7 +107,7 @@ struct FittedRig {
 };
 
 /// A whole character: refresh, project and fit; and shading it at a point.
-void addRigCases(std::vector<Case>& cases) {
+void addRigCases(std::vector<BenchCase>& cases) {
   for (const std::string text :
        {"constant", "gradient", "mixed:l3,g,c", "lattice:3x2x2", "lattice:8x4x2", "poly:6", "poly:12"}) {
     const bool isBaseline = text == "constant";
@@ -169,7 +147,7 @@ LightSet nearLightSet(bool spots) {
 }
 
 /// One near light at one point, against exact irradiance in double.
-void addNearCases(std::vector<Case>& cases) {
+void addNearCases(std::vector<BenchCase>& cases) {
   const auto surface = std::make_shared<std::vector<Vec3>>(bodySurface());
   const double items = 8 * static_cast<double>(surface->size());
   const auto addCase = [&](const std::string& name, const std::string& baseline, bool spots, auto evaluateOne) {
@@ -210,11 +188,12 @@ void addNearCases(std::vector<Case>& cases) {
   addCase("near.spot", "near.exact_spot", true, runtime(0));
 }
 
-std::vector<Case> allCases() {
-  std::vector<Case> cases;
+std::vector<BenchCase> allCases() {
+  std::vector<BenchCase> cases;
   addProjectionCases(cases);
   addRigCases(cases);
   addNearCases(cases);
+  addBoundCases(cases);
   return cases;
 }
 
@@ -233,6 +212,17 @@ class MedianReporter final : public benchmark::BenchmarkReporter {
 
 }  // namespace
 
+std::vector<Vec3> bodySurface() {
+  std::vector<Vec3> points;
+  for (int i = 0; i < 600; ++i) {
+    const float z = 1 - (2 * static_cast<float>(i) + 1) / 600;
+    const float phi = static_cast<float>(i) * 2.3999632f;
+    const float s = std::sqrt(1 - z * z);
+    points.push_back({0.3f * s * std::cos(phi), 0.9f * z, 0.2f * s * std::sin(phi)});
+  }
+  return points;
+}
+
 Result<std::vector<Figure>> measureFigures(const std::string& filter, int repetitions) {
   std::regex wanted;
   try {
@@ -240,10 +230,10 @@ Result<std::vector<Figure>> measureFigures(const std::string& filter, int repeti
   } catch (const std::regex_error&) {
     return Error{"not a regular expression", "--filter " + filter};
   }
-  const std::vector<Case> cases = allCases();
+  const std::vector<BenchCase> cases = allCases();
   std::map<std::string, bool> selected;
   bool any = false;
-  for (const Case& c : cases) {
+  for (const BenchCase& c : cases) {
     if (!std::regex_search(c.name, wanted)) continue;
     any = true;
     selected[c.name] = true;
@@ -252,7 +242,7 @@ Result<std::vector<Figure>> measureFigures(const std::string& filter, int repeti
   if (!any) return Error{"matches no figure", "--filter " + filter};
 
   benchmark::ClearRegisteredBenchmarks();
-  for (const Case& c : cases)
+  for (const BenchCase& c : cases)
     if (selected.contains(c.name))
       benchmark::RegisterBenchmark(c.name.c_str(), c.body)->Repetitions(repetitions)->MinTime(0.05);
   // Interleaved repetitions: a burst of other load hits figure and baseline alike.
@@ -264,11 +254,11 @@ Result<std::vector<Figure>> measureFigures(const std::string& filter, int repeti
   benchmark::RunSpecifiedBenchmarks(&reporter, ".*");
 
   std::vector<Figure> figures;
-  const auto perItem = [&](const Case& c) { return reporter.nanoseconds.at(c.name) / c.perIteration; };
-  for (const Case& c : cases) {
+  const auto perItem = [&](const BenchCase& c) { return reporter.nanoseconds.at(c.name) / c.perIteration; };
+  for (const BenchCase& c : cases) {
     if (const auto found = selected.find(c.name); found == selected.end() || !found->second) continue;
     Figure figure{c.name, perItem(c) / c.nanosecondsPerUnit, c.unit, c.baseline, 0};
-    for (const Case& base : cases)
+    for (const BenchCase& base : cases)
       if (base.name == c.baseline) figure.ratio = perItem(base) / perItem(c);
     figures.push_back(std::move(figure));
   }

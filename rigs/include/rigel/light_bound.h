@@ -90,9 +90,11 @@ struct BoundPlan {
 }  // namespace detail
 
 /// The bounds of one rig in one pose. Made once a frame and object: 0.2 us, for poly, @lsq and @gauss 7 to 70 us (K 6
-/// to 20), for invquad 350 to 500. A light costs 70 - 160 ns (spot 170 - 310), of poly, @lsq and @gauss 230 - 500 (spot
-/// 330 - 600); a projection takes 42 - 66. Nothing allocates. Results are finite, continuous in the light and in poses
-/// that are not exactly flat, and 0 for lights that hold a NaN or are infinitely far.
+/// to 20), for invquad 70 to 550 (the steeper its falloff, the more). A light costs 70 - 160 ns (spot 170 - 310, but 1
+/// to 2.5 us where it lights only a part of the object), of poly, @lsq and @gauss 230 - 500 (spot 330 - 600); a
+/// projection takes 42 - 66. `rigel bench --filter bound` measures some. Nothing allocates. Results are finite,
+/// continuous in the light and in poses that are not exactly flat, and 0 for lights that hold a NaN or are infinitely
+/// far.
 class LightBounds {
  public:
   /// `wrap` is that of the object's materials (the one with the larger bound where they differ). `radius` [m]: of a

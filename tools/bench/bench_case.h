@@ -1,0 +1,29 @@
+// One benchmark: what runs, and what its time is given per.
+#pragma once
+
+#include <rigel/vec3.h>
+
+#include <benchmark/benchmark.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace rigel::tools {
+
+struct BenchCase {
+  std::string name;
+  std::string unit;
+  double perIteration = 1;  // items: lights x points, characters, points
+  double nanosecondsPerUnit = 1;
+  std::string baseline;
+  std::function<void(benchmark::State&)> body;
+};
+
+/// The surface of a body about the size of a person; its box is [-.3, .3] x [-.9, .9] x [-.2, .2] m.
+std::vector<Vec3> bodySurface();
+
+/// Bounds of lights' errors: made for a rig in a pose, and asked about a light.
+void addBoundCases(std::vector<BenchCase>& cases);
+
+}  // namespace rigel::tools
