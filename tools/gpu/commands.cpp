@@ -1,5 +1,7 @@
 #include "gpu/commands.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
 #include <utility>
@@ -135,8 +137,7 @@ std::optional<Error> GpuCommands::wait() {
   const VkResult result = vkWaitForFences(device_->device, 1, &fence_, VK_TRUE, nanoseconds);
   if (result == VK_TIMEOUT) {
     device_->hanging = true;
-    return Error{"the work did not end within " + std::to_string(device_->timeout) + " s",
-                 device_->properties.deviceName};
+    return Error{fmt::format("the work did not end within {} s", device_->timeout), device_->properties.deviceName};
   }
   pending_ = false;
   if (result != VK_SUCCESS) return failed(result);

@@ -3,6 +3,7 @@
 #include "gpu/commands.h"
 
 #include <Imath/half.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cassert>
@@ -96,7 +97,7 @@ std::optional<Error> Texture3d::stage(std::span<const float> rgba) const {
     return {};
   }
   const auto beyond = std::ranges::find_if(rgba, [](float v) { return std::isfinite(v) && std::abs(v) > HALF_MAX; });
-  if (beyond != rgba.end()) return Error{std::to_string(*beyond) + " is beyond half-float range: scale it", kWhat};
+  if (beyond != rgba.end()) return Error{fmt::format("{} is beyond half-float range: scale it", *beyond), kWhat};
   std::ranges::transform(rgba, reinterpret_cast<Imath::half*>(to.data()), [](float v) { return Imath::half(v); });
   return {};
 }
