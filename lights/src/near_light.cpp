@@ -83,7 +83,7 @@ GpuNearLight gpuNearLight(const NearLight& light) noexcept {
   const float scale = light.share * (sphere ? static_cast<float>(kPi) : 1.0f);
   // A window that ends closer than floats can invert leaves no light at any distance that counts, as it should.
   constexpr float kMaxInverse = std::numeric_limits<float>::max();
-  GpuNearLight out;
+  GpuNearLight out{};
   out.position = {light.position.x, light.position.y, light.position.z};
   out.radius = light.radius;
   out.colour = {light.colour.r * scale, light.colour.g * scale, light.colour.b * scale};

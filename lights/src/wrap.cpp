@@ -46,7 +46,7 @@ float wrapEnergy(float wrap) noexcept {
 // x = -a to the kernel, whose bands are its area, (2/(2p+1) - 1/(p+1)) width^(p+1) for the power p = 1 + a, times
 // P_l(-a); the fit's `area` stands for what is not width^2 in it.
 GpuWrap gpuWrap(float wrap, float gain) noexcept {
-  GpuWrap out;
+  GpuWrap out{};
   out.a = clampWrap(wrap);
   out.inverse = 1 / (1 + out.a);
   out.gain = gain > 0 && std::isfinite(gain) ? gain : 0.0f;
