@@ -76,6 +76,7 @@ Camera framePoints(std::span<const glm::vec3> points, int width, int height, con
   }
   const float distance = std::max((right + left) / (2 * tanX), (top + bottom) / (2 * tanY));
   camera.eye = sphere.centre + camera.axes * glm::vec3(0.5f * (right - left), 0.5f * (top - bottom), distance);
+  camera.focus = distance;
   return camera;
 }
 
@@ -84,7 +85,8 @@ Camera frameSphere(const BoundingSphere& sphere, int width, int height, const Vi
   // The sphere's outline, seen from d, is a cone of half angle asin(r/d); it has to fit the narrower field of view.
   const float narrow = std::atan(camera.tanHalfFov * std::min(1.0f, aspectOf(camera)) * (1 - 2 * view.margin));
   const float radius = sphere.radius > 0 ? sphere.radius : 1.0f;
-  camera.eye = sphere.centre + camera.axes[2] * (radius / std::sin(narrow));
+  camera.focus = radius / std::sin(narrow);
+  camera.eye = sphere.centre + camera.axes[2] * camera.focus;
   return camera;
 }
 

@@ -33,6 +33,7 @@ struct Camera {
   glm::vec3 eye{0};
   glm::mat3 axes{1};  // columns right, up, back (world)
   float tanHalfFov = 0;
+  float focus = 1;  // m, from the eye to the middle of what it looks at
 
   /// Unit direction through a point of the picture; (0, 0) is the top left corner, pixels are 1 wide.
   glm::vec3 direction(glm::vec2 pixel) const;

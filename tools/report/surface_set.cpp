@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 
 namespace rigel::tools {
 namespace {
@@ -62,6 +63,12 @@ Result<SurfaceSet> chooseSurface(const SceneObject& object, const PosedObject& r
   SurfaceSet set{*std::move(points), *std::move(candidates), {}};
   for (const SurfacePoint& point : set.measured) set.wrap.push_back(wrap.value_or(object.triangleWrap[point.triangle]));
   return set;
+}
+
+float commonWrap(std::span<const float> wraps) {
+  std::map<float, int> counts;
+  for (const float wrap : wraps) ++counts[wrap];
+  return std::ranges::max_element(counts, {}, [](const auto& entry) { return entry.second; })->first;
 }
 
 }  // namespace rigel::tools

@@ -26,6 +26,9 @@ struct SurfaceSet {
   std::vector<float> wrap;  // per measured point
 };
 
+/// The wrap that most points have.
+float commonWrap(std::span<const float> wraps);
+
 inline constexpr int kRigCandidates = 1024;
 
 Result<SurfaceSet> chooseSurface(const SceneObject& object, const PosedObject& rest, int measured,

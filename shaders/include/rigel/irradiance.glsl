@@ -2,7 +2,7 @@
 #ifndef RIGEL_IRRADIANCE_GLSL
 #define RIGEL_IRRADIANCE_GLSL
 
-#include <rigel/wrap.glsl>
+#include "rigel/wrap.glsl"
 
 /// E(n) of a material from pi times radiance SH: evaluate(irradianceFromRadiance(...), n) of wrap.h. May be negative.
 vec3 rigel_irradiance(vec3 c[RIGEL_SH_COUNT], vec3 n, GpuWrap wrap) {

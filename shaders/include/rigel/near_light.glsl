@@ -25,6 +25,9 @@ struct RigelNearView {
   bool inside;
 };
 
+/// Not NaN, nor infinite. A minimum or maximum may turn NaN into a number, and `!` of a comparison may be rearranged.
+bool rigel_isNumber(float x) { return abs(x) <= 1e37f; }
+
 /// clamp(1-(d/R)^4, 0, 1)^2.
 float rigel_rangeWindow(float distanceOverRange) {
   float square = distanceOverRange * distanceOverRange;
@@ -59,12 +62,13 @@ RigelNearView rigel_viewLocal(GpuNearLight light, vec3 p, vec3 n) {
   view.s = (view.inside ? d : radius) * inverse;
   view.c = sqrt(abs(gap)) * inverse;
   vec3 w = toCentre * (view.inside ? 1.0f / max(d, 1e-30f) : inverse);
-  view.x = clamp(dot(n, w), -1.0f, 1.0f);
+  float x = dot(n, w);
+  view.x = clamp(x, -1.0f, 1.0f);
 
   float perMetre = inverse * unit;
   float share = light.extent * perMetre;
   bool valid = perMetre >= 1.0f / kRigelMaxReach && perMetre <= 1.0f / kRigelMinReach;
-  view.scale = valid ? share * share : 0.0f;
+  view.scale = valid && rigel_isNumber(x) ? share * share : 0.0f;
   if (RIGEL_HAS_NEAR(kGpuPoint) || RIGEL_HAS_NEAR(kGpuSpot)) {
     view.scale *= rigel_rangeWindow(d / unit * light.inverseRange);
   }
@@ -76,7 +80,8 @@ RigelNearView rigel_viewLocal(GpuNearLight light, vec3 p, vec3 n) {
 
 /// A directional light is a sphere of no size.
 RigelNearView rigel_viewDirectional(GpuNearLight light, vec3 n) {
-  return RigelNearView(clamp(dot(n, light.position), -1.0f, 1.0f), 0.0f, 1.0f, 1.0f, false);
+  float x = dot(n, light.position);
+  return RigelNearView(clamp(x, -1.0f, 1.0f), 0.0f, 1.0f, rigel_isNumber(x) ? 1.0f : 0.0f, false);
 }
 
 RigelNearView rigel_viewNear(GpuNearLight light, vec3 p, vec3 n) {

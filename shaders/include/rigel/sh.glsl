@@ -3,7 +3,7 @@
 #ifndef RIGEL_SH_GLSL
 #define RIGEL_SH_GLSL
 
-#include <rigel/shader_constants.h>
+#include "rigel/shader_constants.h"
 
 #ifndef RIGEL_BANDS
 #define RIGEL_BANDS 3

@@ -2,8 +2,8 @@
 #ifndef RIGEL_SHADER_ARCTANGENT_H
 #define RIGEL_SHADER_ARCTANGENT_H
 
-#include <rigel/shader_constants.h>
-#include <rigel/shader_language.h>
+#include "rigel/shader_constants.h"
+#include "rigel/shader_language.h"
 
 #ifdef __cplusplus
 #define rigel_atanTail atanTail

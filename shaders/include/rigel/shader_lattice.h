@@ -2,7 +2,7 @@
 #ifndef RIGEL_SHADER_LATTICE_H
 #define RIGEL_SHADER_LATTICE_H
 
-#include <rigel/shader_language.h>
+#include "rigel/shader_language.h"
 
 #ifdef __cplusplus
 #define rigel_latticeSmooth latticeSmooth

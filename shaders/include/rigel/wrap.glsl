@@ -3,9 +3,9 @@
 #ifndef RIGEL_WRAP_GLSL
 #define RIGEL_WRAP_GLSL
 
-#include <rigel/sh.glsl>
-#include <rigel/shader_types.h>
-#include <rigel/shader_wrap.h>
+#include "rigel/sh.glsl"
+#include "rigel/shader_types.h"
+#include "rigel/shader_wrap.h"
 
 /// `a` held within what wraps there are.
 float rigel_clampWrap(float a) { return clamp(a, kRigelMinWrap, kRigelMaxWrap); }

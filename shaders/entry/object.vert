@@ -1,0 +1,22 @@
+// A posed object, its vertices in world space.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#include "draw.glsl"
+
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec3 colour;
+layout(location = 3) in uint triangle;
+
+layout(location = 0) out vec3 worldPosition;
+layout(location = 1) out vec3 worldNormal;
+layout(location = 2) flat out vec3 baseColour;
+layout(location = 3) flat out uint triangleNumber;
+
+void main() {
+  worldPosition = position;
+  worldNormal = normal;
+  baseColour = colour;
+  triangleNumber = triangle;
+  gl_Position = clipFromWorld(position);
+}

@@ -1,0 +1,74 @@
+#include "cli/run_arguments.h"
+
+#include <rigel/sh.h>
+#include <rigel/wrap.h>
+
+#include <fmt/format.h>
+
+namespace rigel::tools {
+
+void RunArguments::add(CLI::App& app) {
+  app.add_option("--clip", clip_, "Animation clip by name, or 'all' [the first]");
+  app.add_option("--frames", frames_, "FIRST:LAST:STEP in frames of the clip, counted at --rate")
+      ->capture_default_str();
+  app.add_option("--rate", rate_, "Frames a second at which the clip is looked at")->capture_default_str();
+  app.add_option("--near", near_,
+                 "Lights evaluated exactly at every point: a number, or auto [auto for `auto` rigs, 0 for others]");
+  app.add_option("--error", error_, "What `auto` and --near auto aim at: spatial RMS error over the mean light [0.05]");
+  app.add_option("--total-error", totalError_, "The same for the total RMS error");
+  app.add_option("--budget-us", budget_,
+                 "Time for all objects of a frame together, in modelled microseconds, 10000 points an object:\n"
+                 "what each aims at is then given up where it shows least [no limit]");
+  app.add_option("--wrap", wrap_, "Wrap reflectance of everything; 0 is Lambert [the materials']")
+      ->check(CLI::Range(kMinWrap, kMaxWrap));
+  app.add_option("--bands", bands_, "SH bands")->capture_default_str()->check(CLI::Range(kMinBands, kMaxBands));
+  app.add_option("--lights", lights_, "Take the lights of another scene, scaled to this one's size");
+  app.add_option("--exposure", exposure_, "Multiplies all light")->capture_default_str();
+}
+
+std::optional<LightingTarget> RunArguments::target() const {
+  using Kind = LightingTarget::Kind;
+  if (error_) return LightingTarget{Kind::spatialError, *error_};
+  if (totalError_) return LightingTarget{Kind::totalError, *totalError_};
+  return std::nullopt;
+}
+
+Result<RunOptions> RunArguments::options() const {
+  RunOptions options;
+  const auto frames = parseFrameRange(frames_);
+  if (!frames) return frames.error();
+  options.clip = clip_;
+  options.frames = *frames;
+  options.rate = rate_;
+  if (!near_.empty()) {
+    const auto near = parseNear(near_);
+    if (!near) return near.error();
+    options.near = *near;
+  }
+  if (error_ && totalError_)
+    return Error{"only one of the two can be aimed at",
+                 fmt::format("--error {:g} --total-error {:g}", *error_, *totalError_)};
+  options.target = target();
+  options.budget = budget_;
+  options.wrap = wrap_;
+  options.bands = bands_;
+  options.exposure = exposure_;
+  options.lights = lights_;
+  return options;
+}
+
+std::string RunArguments::text() const {
+  std::string line;
+  if (!clip_.empty()) line += " --clip " + clip_;
+  if (frames_ != defaultFrames_) line += " --frames " + frames_;
+  if (rate_ != kDefaultRate) line += fmt::format(" --rate {}", rate_);
+  if (!near_.empty()) line += " --near " + near_;
+  if (const std::string aim = aimOptions(target(), budget_); !aim.empty()) line += " " + aim;
+  if (wrap_) line += fmt::format(" --wrap {}", *wrap_);
+  if (bands_ != kDefaultBands) line += fmt::format(" --bands {}", bands_);
+  if (exposure_ != 1) line += fmt::format(" --exposure {}", exposure_);
+  if (!lights_.empty()) line += " --lights " + lights_;
+  return line;
+}
+
+}  // namespace rigel::tools

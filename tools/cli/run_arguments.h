@@ -1,0 +1,38 @@
+// The options that every subcommand which runs a scene understands: what is looked at, when, and how its rigs choose.
+#pragma once
+
+#include "report/run_options.h"
+
+#include <CLI/CLI.hpp>
+
+namespace rigel::tools {
+
+/// As typed. Add to a command with `add`, then read with `options`.
+class RunArguments {
+ public:
+  /// `frames` is what --frames is without being given.
+  explicit RunArguments(std::string frames = "0:") : defaultFrames_(std::move(frames)), frames_(defaultFrames_) {}
+
+  void add(CLI::App& app);
+
+  /// Everything but scenes, rigs and images. Error: names the option and what it allows.
+  Result<RunOptions> options() const;
+
+  /// The options that were given, as typed, each with a blank before it.
+  std::string text() const;
+
+ private:
+  std::optional<LightingTarget> target() const;
+
+  std::string clip_;
+  std::string defaultFrames_, frames_;
+  double rate_ = kDefaultRate;
+  std::string near_;
+  std::optional<float> error_, totalError_, budget_;
+  std::optional<float> wrap_;
+  int bands_ = 3;
+  float exposure_ = 1;
+  std::string lights_;
+};
+
+}  // namespace rigel::tools

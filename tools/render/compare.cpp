@@ -1,0 +1,42 @@
+#include "render/compare.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace rigel::tools {
+
+Difference compare(const RenderedFrame& frame, const VisibleSurface& seen, std::span<const Rgb> reference,
+                   std::span<const std::uint32_t> partOf) {
+  assert(reference.size() == seen.samples.size() && frame.width == seen.width && frame.height == seen.height);
+  Difference result;
+  double squares = 0;
+  std::vector<double> largest;
+  for (std::size_t i = 0; i < seen.samples.size(); ++i) {
+    const VisibleSample& sample = seen.samples[i];
+    if (sample.kind != SampleKind::object) continue;
+    ++result.covered;
+    if (frame.part[sample.pixel] != partOf[sample.part] || frame.triangle[sample.pixel] != sample.triangle) continue;
+    double worst = 0;
+    for (int c = 0; c < 3; ++c) {
+      const double expected = static_cast<double>(reference[i][c]);
+      const double error = std::abs(static_cast<double>(frame.irradiance[sample.pixel][c]) - expected);
+      result.mean += expected;
+      squares += error * error;
+      worst = std::max(worst, error == error ? error : HUGE_VAL);
+    }
+    largest.push_back(worst);
+  }
+  result.compared = largest.size();
+  if (largest.empty()) return result;
+  const double values = 3 * static_cast<double>(largest.size());
+  result.mean /= values;
+  if (result.mean <= 0) return result;
+  std::ranges::sort(largest);
+  result.rms = std::sqrt(squares / values) / result.mean;
+  result.max = largest.back() / result.mean;
+  result.p99 = largest[(largest.size() - 1) * 99 / 100] / result.mean;
+  return result;
+}
+
+}  // namespace rigel::tools

@@ -1,0 +1,292 @@
+#include "render/scene_renderer.h"
+
+#include "picture/shade_exact.h"
+#include "samples/mesh_builder.h"
+#include "shader_binaries.h"
+
+#include <rigel/near_light.h>
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace rigel::tools {
+namespace {
+
+constexpr int kBallSegments = 12;
+/// Of the distance to what is framed: nearer things are not drawn.
+constexpr float kNearPlane = 0.004f;
+
+// What object.frag writes: radiance, irradiance, part and triangle.
+constexpr VkFormat kColours[] = {VK_FORMAT_R32G32B32A32_SFLOAT, VK_FORMAT_R32G32B32A32_SFLOAT, VK_FORMAT_R32G32_UINT};
+constexpr std::size_t kColourBytes[] = {16, 16, 8};
+constexpr VkClearColorValue kClear[] = {{{0, 0, 0, 0}}, {{0, 0, 0, 0}}, {{0, 0, 0, 0}}};
+
+/// As draw.glsl has it.
+struct DrawConstants {
+  glm::vec4 right{0}, up{0}, back{0};
+  glm::vec3 eye{0};
+  float nearPlane = 0;
+  std::uint32_t part = 0;
+  float radianceScale = 1;
+  std::int32_t firstNear = 0, nearCount = 0;
+  float unused[12] = {};
+};
+static_assert(sizeof(DrawConstants) == 128);
+
+/// `normals`: flat.vert has no use for them, and layers complain of attributes that nobody reads.
+std::vector<VertexStream> streams(bool normals) {
+  VertexStream stream{sizeof(DrawVertex),
+                      {{0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(DrawVertex, position)},
+                       {2, VK_FORMAT_R32G32B32_SFLOAT, offsetof(DrawVertex, colour)},
+                       {3, VK_FORMAT_R32_UINT, offsetof(DrawVertex, triangle)}}};
+  if (normals) stream.attributes.push_back({1, VK_FORMAT_R32G32B32_SFLOAT, offsetof(DrawVertex, normal)});
+  return {stream};
+}
+
+std::vector<DrawVertex> unitBall() {
+  Primitive sphere;
+  addSphere(sphere, 1, kBallSegments);
+  std::vector<DrawVertex> vertices;
+  for (std::uint32_t t = 0; t < sphere.triangles.size(); ++t)
+    for (const glm::uint v : {sphere.triangles[t].x, sphere.triangles[t].y, sphere.triangles[t].z})
+      vertices.push_back({sphere.positions[v], sphere.positions[v], {}, t});
+  return vertices;
+}
+
+}  // namespace
+
+Result<SceneRenderer> SceneRenderer::create(const GpuContext& context, std::span<const DrawnObject> objects,
+                                            const LightSet& lights, const RendererOptions& options) {
+  ShadingRoom room;
+  room.lights = lights.size();
+  std::vector<Drawn> drawn;
+  std::uint32_t vertices = 0;
+  for (const DrawnObject& object : objects) {
+    drawn.push_back({object.object, object.rig, room.rigs.size(), DrawList(*object.object, options.wrap), vertices});
+    vertices += drawn.back().draws.vertexCount();
+    if (object.rig != nullptr) room.rigs.push_back(object.rig);
+    for (const DrawRange& range : drawn.back().draws.ranges())
+      if (std::ranges::find(room.wraps, range.wrap) == room.wraps.end()) room.wraps.push_back(range.wrap);
+  }
+  auto buffers = ShadingBuffers::create(context, room, options.storage);
+  if (!buffers) return buffers.error();
+  auto commands = GpuCommands::create(context);
+  if (!commands) return commands.error();
+  SceneRenderer renderer(context, options, *std::move(buffers), *std::move(commands));
+  renderer.drawn_ = std::move(drawn);
+  renderer.objectVertices_ = vertices;
+  renderer.ball_ = unitBall();
+  if (auto error = renderer.makePipelines(lights)) return *error;
+  return renderer;
+}
+
+std::optional<Error> SceneRenderer::makePipelines(const LightSet& lights) {
+  // Any target of the same formats does for pipelines and their first draws.
+  auto target = RasterTarget::create(*context_, 4, 4, kColours);
+  if (!target) return target.error();
+  const ShaderCode vertex{shaderBinary("flat.vert")}, fragment{shaderBinary("flat.frag")};
+  auto flat = GpuPipeline::raster(*context_, buffers_.layout(), vertex, fragment, streams(false), *target);
+  if (!flat) return flat.error();
+  flat_ = *std::move(flat);
+  for (Drawn& drawn : drawn_) {
+    GpuRig packed;
+    if (drawn.rig != nullptr) packed = buffers_.pack(drawn.rigIndex, *drawn.rig).packed;
+    for (const DrawRange& range : drawn.draws.ranges()) {
+      std::vector<ShaderVariant> variants{nearVariant(options_.bands, lights, range.wrap)};
+      if (drawn.rig != nullptr) variants = possibleVariants(*drawn.rig, packed, range.wrap, lights);
+      for (const ShaderVariant& variant : variants)
+        if (auto error = addPipeline(variant, *target)) return error;
+    }
+  }
+  return warmUp(*target);
+}
+
+std::optional<Error> SceneRenderer::addPipeline(const ShaderVariant& variant, const RasterTarget& target) {
+  if (pipelineOf(variant) != nullptr) return std::nullopt;
+  const std::vector<ShaderConstant> constants = variant.constants();
+  ShaderCode vertex{shaderBinary("object.vert")};
+  ShaderCode fragment{shaderBinary(variant.binary("object.frag")), constants};
+  if (options_.perVertex) {
+    vertex = {shaderBinary(variant.binary("object_per_vertex.vert")), constants};
+    fragment = {shaderBinary("object_per_vertex.frag")};
+  }
+  auto pipeline = GpuPipeline::raster(*context_, buffers_.layout(), vertex, fragment, streams(true), target);
+  if (!pipeline) return pipeline.error();
+  shelf_.push_back({variant, *std::move(pipeline)});
+  return std::nullopt;
+}
+
+/// Draws a triangle with every pipeline: drivers put compiling off to the first use.
+std::optional<Error> SceneRenderer::warmUp(const RasterTarget& target) {
+  if (auto error = makeRoom(1)) return error;
+  const DrawVertex corners[] = {
+      {{-1, -1, 0}, {0, 0, 1}, {}, 0}, {{1, -1, 0}, {0, 0, 1}, {}, 0}, {{0, 1, 0}, {0, 0, 1}, {}, 0}};
+  std::memcpy(vertices_->bytes().data(), corners, sizeof corners);
+  const Camera camera = frameSphere({{0, 0, 0}, 1}, 4, 4);
+  if (auto error = commands_.begin()) return error;
+  buffers_.upload(commands_);
+  commands_.beginPass(target, kClear);
+  Draw draw;
+  draw.vertices = 3;
+  draw.bindings = &buffers_.bindings(0);
+  record(camera, draw, *flat_);
+  for (const Entry& entry : shelf_) record(camera, draw, entry.pipeline);
+  commands_.endPass();
+  return commands_.run();
+}
+
+const GpuPipeline* SceneRenderer::pipelineOf(const ShaderVariant& variant) const {
+  const auto found = std::ranges::find(shelf_, variant, &Entry::variant);
+  return found == shelf_.end() ? nullptr : &found->pipeline;
+}
+
+std::optional<Error> SceneRenderer::makeRoom(std::size_t balls) {
+  const std::size_t needed = (objectVertices_ + balls * ball_.size()) * sizeof(DrawVertex);
+  if (vertices_ && vertices_->size() >= needed) return std::nullopt;
+  auto vertices = GpuBuffer::create(*context_, BufferUse::vertices, needed);
+  if (!vertices) return vertices.error();
+  vertices_ = *std::move(vertices);
+  return std::nullopt;
+}
+
+std::optional<Error> SceneRenderer::fitTarget(const Camera& camera) {
+  if (target_ && target_->width() == camera.width && target_->height() == camera.height) return std::nullopt;
+  auto target = RasterTarget::create(*context_, camera.width, camera.height, kColours);
+  if (!target) return target.error();
+  target_ = *std::move(target);
+  readBacks_.clear();
+  const auto pixels = static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height);
+  for (const std::size_t bytes : kColourBytes) {
+    auto buffer = GpuBuffer::create(*context_, BufferUse::readBack, bytes * pixels);
+    if (!buffer) return buffer.error();
+    readBacks_.push_back(*std::move(buffer));
+  }
+  return std::nullopt;
+}
+
+void SceneRenderer::fillVertices(std::span<const PosedObject> posed, std::span<const LightBall> balls) {
+  const std::span<DrawVertex> all = vertices_->as<DrawVertex>();
+  for (std::size_t i = 0; i < drawn_.size(); ++i) drawn_[i].draws.fill(posed[i], &all[drawn_[i].firstVertex]);
+  DrawVertex* out = all.data() + objectVertices_;
+  for (const LightBall& ball : balls) {
+    const glm::vec3 centre{ball.centre.x, ball.centre.y, ball.centre.z};
+    const glm::vec3 emission{ball.emission.r, ball.emission.g, ball.emission.b};
+    for (const DrawVertex& v : ball_) *out++ = {centre + ball.radius * v.position, v.normal, emission, v.triangle};
+  }
+}
+
+std::optional<Error> SceneRenderer::listDraws(const LightSet& lights, std::size_t balls) {
+  list_.clear();
+  effects_ = {};
+  buffers_.begin();
+  allLights_.clear();
+  for (int i = 0; i < lights.size(); ++i)
+    lights.visit(i, [&](const auto& light) { allLights_.push_back(nearLight(light)); });
+  const ShadingPlace everyLight = buffers_.place(allLights_);
+  for (std::size_t i = 0; i < drawn_.size(); ++i) {
+    Drawn& drawn = drawn_[i];
+    ShadingPlace place = everyLight;
+    GpuRig packed;
+    if (drawn.rig != nullptr) place = buffers_.pack(drawn.rigIndex, *drawn.rig);
+    for (const DrawRange& range : drawn.draws.ranges()) {
+      const ShaderVariant variant =
+          drawn.rig != nullptr
+              ? variantOf(*drawn.rig, place.packed, drawn.rig->effects(range.wrap), nearKindsOf(lights, range.wrap))
+              : nearVariant(options_.bands, lights, range.wrap);
+      const GpuPipeline* pipeline = pipelineOf(variant);
+      if (pipeline == nullptr) return Error{"an effect that was not prepared for", drawn.object->name};
+      if (drawn.rig != nullptr) effects_.add(variant.effects);
+      list_.push_back({pipeline,
+                       &buffers_.bindings(drawn.rig != nullptr ? drawn.rigIndex : 0),
+                       {place.rig, buffers_.material(range.wrap)},
+                       drawn.firstVertex + range.first,
+                       range.count,
+                       static_cast<std::uint32_t>(i + 1),
+                       drawn.rig != nullptr ? 1 : kSceneryDimming,
+                       place.firstNear,
+                       place.nearCount});
+    }
+  }
+  if (balls > 0)
+    list_.push_back({&*flat_,
+                     &buffers_.bindings(0),
+                     {},
+                     objectVertices_,
+                     static_cast<std::uint32_t>(balls * ball_.size()),
+                     static_cast<std::uint32_t>(drawn_.size() + 1),
+                     1,
+                     0,
+                     0});
+  return std::nullopt;
+}
+
+void SceneRenderer::record(const Camera& camera, const Draw& draw, const GpuPipeline& pipeline) {
+  DrawConstants constants;
+  const float focal = 1 / camera.tanHalfFov;
+  const float aspect = static_cast<float>(camera.width) / static_cast<float>(camera.height);
+  constants.right = glm::vec4(camera.axes[0] * (focal / aspect), 0);
+  constants.up = glm::vec4(camera.axes[1] * focal, 0);
+  constants.back = glm::vec4(camera.axes[2], 0);
+  constants.eye = camera.eye;
+  constants.nearPlane = kNearPlane * camera.focus;
+  constants.part = draw.part;
+  constants.radianceScale = draw.radianceScale;
+  constants.firstNear = draw.firstNear;
+  constants.nearCount = draw.nearCount;
+  commands_.bind(pipeline, *draw.bindings, draw.offsets);
+  commands_.push(std::as_bytes(std::span(&constants, 1)));
+  commands_.bindVertices(0, *vertices_);
+  commands_.draw(draw.vertices, draw.firstVertex);
+}
+
+Result<double> SceneRenderer::run(const Camera& camera, bool lit) {
+  if (auto error = commands_.begin()) return *error;
+  buffers_.upload(commands_);
+  const int start = commands_.mark();
+  commands_.beginPass(*target_, kClear);
+  for (const Draw& draw : list_) record(camera, draw, lit ? *draw.pipeline : *flat_);
+  commands_.endPass();
+  const int end = commands_.mark();
+  for (std::size_t i = 0; i < readBacks_.size(); ++i) commands_.read(target_->colours()[i], readBacks_[i]);
+  if (auto error = commands_.run()) return *error;
+  return 1e3 * commands_.seconds(start, end);
+}
+
+Result<RenderedFrame> SceneRenderer::render(const Camera& camera, std::span<const PosedObject> posed,
+                                            const LightSet& lights, std::span<const LightBall> balls) {
+  if (auto error = fitTarget(camera)) return *error;
+  if (auto error = makeRoom(balls.size())) return *error;
+  fillVertices(posed, balls);
+  if (auto error = listDraws(lights, balls.size())) return *error;
+  const auto milliseconds = run(camera, true);
+  if (!milliseconds) return milliseconds.error();
+
+  RenderedFrame frame;
+  frame.width = camera.width;
+  frame.height = camera.height;
+  frame.milliseconds = *milliseconds;
+  const auto pixels = static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height);
+  const auto colours = [&](std::size_t i) {
+    std::vector<Rgb> out(pixels);
+    const std::span<const glm::vec4> from = readBacks_[i].as<glm::vec4>();
+    for (std::size_t p = 0; p < pixels; ++p) out[p] = {from[p].x, from[p].y, from[p].z};
+    return out;
+  };
+  frame.radiance = colours(0);
+  frame.irradiance = colours(1);
+  const std::span<const glm::uvec2> surface = readBacks_[2].as<glm::uvec2>();
+  frame.part.resize(pixels);
+  frame.triangle.resize(pixels);
+  for (std::size_t p = 0; p < pixels; ++p) {
+    frame.part[p] = surface[p].x;
+    frame.triangle[p] = surface[p].y;
+  }
+  return frame;
+}
+
+Result<double> SceneRenderer::unlitMilliseconds(const Camera& camera) { return run(camera, false); }
+
+}  // namespace rigel::tools

@@ -1,0 +1,130 @@
+#include "render/shader_variant.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace rigel::tools {
+namespace {
+
+constexpr int kUnrolledTerms = 16;  // RIGEL_POLY_MAX of rig_poly.glsl
+
+Effects common(Effects a, Effects b) {
+  Effects both;
+  for (const Effect effect : kAllEffects)
+    if (a.has(effect) && b.has(effect)) both.add(effect);
+  return both;
+}
+
+Effects without(Effects a, Effects b) {
+  for (const Effect effect : kAllEffects)
+    if (b.has(effect)) a.remove(effect);
+  return a;
+}
+
+bool isPoly(const GpuRig& packed) {
+  return packed.kind == shader_types::kGpuRigPoly || packed.kind == shader_types::kGpuRigInvquad;
+}
+
+}  // namespace
+
+std::string ShaderVariant::binary(const std::string& entry) const {
+  return fmt::format("{}.bands{}{}", entry, bands, loop ? ".loop" : "");
+}
+
+std::vector<ShaderConstant> ShaderVariant::constants() const {
+  std::vector<ShaderConstant> all;
+  for (const Effect effect : kAllEffects)
+    if (effects.has(effect)) all.push_back(shaderConstant(static_cast<std::uint32_t>(effect), true));
+  // As shade_object.glsl numbers them.
+  constexpr std::uint32_t kVectors = 40, kNodes = 41, kSlope = 44, kPerNode = 47, kKernel = 48, kTermsKnown = 49,
+                          kTerms = 50;
+  all.push_back(shaderConstant(kVectors, vectors));
+  for (std::uint32_t a = 0; a < 3; ++a) {
+    all.push_back(shaderConstant(kNodes + a, nodes[a]));
+    all.push_back(shaderConstant(kSlope + a, slope[a]));
+  }
+  all.push_back(shaderConstant(kPerNode, perNode));
+  all.push_back(shaderConstant(kKernel, kernel));
+  all.push_back(shaderConstant(kTermsKnown, termsKnown));
+  for (std::uint32_t i = 0; i < 4; ++i) all.push_back(shaderConstant(kTerms + i, terms[i]));
+  return all;
+}
+
+ShaderVariant variantOf(const RigRunner& runner, const GpuRig& packed, Effects effects, Effects nearKinds) {
+  ShaderVariant variant;
+  variant.bands = runner.bands();
+  variant.effects = without(common(effects, kShaderEffects), kNearEffects);
+  if (effects.hasAny(kNearEffects)) variant.effects.add(nearKinds);
+  if (packed.kind == shader_types::kGpuRigTexture &&
+      variant.effects.hasAny({Effect::rig_tensor, Effect::rig_constant})) {
+    variant.effects.remove(Effect::rig_tensor);
+    variant.effects.remove(Effect::rig_constant);
+    variant.effects.add(Effect::rig_texture);
+  }
+  if (packed.kind == shader_types::kGpuRigConstant && variant.effects.has(Effect::rig_tensor)) {
+    variant.effects.remove(Effect::rig_tensor);
+    variant.effects.remove(Effect::rig_gauss);
+    variant.effects.add(Effect::rig_constant);
+  }
+  const RigSpec& spec = runner.rig().spec();
+  if (!spec.adaptive) variant.vectors = runner.rig().shVectors();
+  if (isPoly(packed)) {
+    variant.loop = runner.rig().shVectors() > kUnrolledTerms;
+    if (!variant.loop) {
+      variant.termsKnown = true;
+      variant.terms = {packed.terms[0].x, packed.terms[0].y, packed.terms[0].z, packed.terms[0].w};
+    }
+  } else {
+    variant.nodes = {packed.nodes.x, packed.nodes.y, packed.nodes.z};
+    variant.slope = {packed.slope.x, packed.slope.y, packed.slope.z};
+    variant.perNode = packed.perNode;
+    variant.kernel = packed.kernel;
+  }
+  return variant;
+}
+
+Effects nearKindsOf(const LightSet& lights, float wrap) {
+  Effects kinds;
+  if (lights.directionalCount() > 0) kinds.add(Effect::light_near_directional);
+  if (lights.pointCount() > 0) kinds.add(Effect::light_near_point);
+  if (lights.spotCount() > 0) kinds.add(Effect::light_near_spot);
+  if (lights.sphereCount() > 0) kinds.add(Effect::light_near_sphere);
+  if (!kinds.empty() && wrap != 0) kinds.add(Effect::light_near_wrap);
+  return kinds;
+}
+
+std::vector<ShaderVariant> possibleVariants(const RigRunner& runner, const GpuRig& packed, float wrap,
+                                            const LightSet& lights) {
+  const LightingOptions& asked = runner.asked();
+  const bool chooses = asked.target.kind != LightingTarget::Kind::none;
+  const Effects nearKinds = nearKindsOf(lights, wrap);
+  const Effects rig = rigEffects(runner.rig().spec());
+  std::vector<ShaderVariant> all;
+  for (const bool hasRig : {true, false}) {
+    if (!hasRig && !chooses) continue;
+    for (const bool near : {false, true}) {
+      if (near && (nearKinds.empty() || (!chooses && asked.nearSlots == 0))) continue;
+      for (const bool high : {false, true}) {
+        if (high && asked.target.kind != LightingTarget::Kind::totalError &&
+            asked.target.kind != LightingTarget::Kind::budget)
+          continue;
+        Effects effects = hasRig ? rig : Effects{};
+        if (near) effects.add(nearKinds);
+        if (high) effects.add(Effect::rig_highBand);
+        if (wrap != 0 && (hasRig || high)) effects.add(Effect::material_wrap);
+        all.push_back(variantOf(runner, packed, effects, nearKinds));
+      }
+    }
+  }
+  return all;
+}
+
+ShaderVariant nearVariant(int bands, const LightSet& lights, float wrap) {
+  ShaderVariant variant;
+  variant.bands = bands;
+  variant.effects = nearKindsOf(lights, wrap);
+  return variant;
+}
+
+}  // namespace rigel::tools

@@ -1,0 +1,60 @@
+// What a pipeline that lights an object is specialised to: its effects, and the make of its rig.
+#pragma once
+
+#include "gpu/shader.h"
+#include "report/rig_runner.h"
+
+#include <rigel/effects.h>
+
+#include <string>
+#include <vector>
+
+namespace rigel::tools {
+
+/// The effects that are a matter of shaders; the others call for CPU stages alone.
+inline constexpr Effects kShaderEffects{Effect::light_near_directional,
+                                        Effect::light_near_point,
+                                        Effect::light_near_spot,
+                                        Effect::light_near_sphere,
+                                        Effect::light_near_wrap,
+                                        Effect::material_wrap,
+                                        Effect::rig_constant,
+                                        Effect::rig_poly,
+                                        Effect::rig_invquad,
+                                        Effect::rig_tensor,
+                                        Effect::rig_gauss,
+                                        Effect::rig_texture,
+                                        Effect::rig_highBand};
+
+struct ShaderVariant {
+  int bands = 3;
+  Effects effects;  // among kShaderEffects
+  int vectors = 0;  // K where it is the same in every frame, else 0
+  std::array<int, 3> nodes{0, 1, 1}, slope{};
+  int perNode = 1, kernel = 0;
+  bool termsKnown = false;
+  std::array<int, 4> terms{};
+  bool loop = false;  // over more monomials than are unrolled
+
+  friend bool operator==(const ShaderVariant&, const ShaderVariant&) = default;
+
+  /// "object.frag" and such, by the name of its binary.
+  std::string binary(const std::string& entry) const;
+  std::vector<ShaderConstant> constants() const;
+};
+
+/// What lights the rig of a frame: `packed` as its shader reads it, `effects` of RigRunner::effects. A near light more
+/// or less changes nothing: the variant has all `nearKinds` of the scene, or none.
+ShaderVariant variantOf(const RigRunner& runner, const GpuRig& packed, Effects effects, Effects nearKinds);
+
+/// The near effects that lights of these kinds may come to call for.
+Effects nearKindsOf(const LightSet& lights, float wrap);
+
+/// Every variant that frames to come may want: with near lights and without, with a high band and without.
+std::vector<ShaderVariant> possibleVariants(const RigRunner& runner, const GpuRig& packed, float wrap,
+                                            const LightSet& lights);
+
+/// Something lit by near lights alone.
+ShaderVariant nearVariant(int bands, const LightSet& lights, float wrap);
+
+}  // namespace rigel::tools
