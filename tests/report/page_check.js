@@ -171,6 +171,28 @@
     equal(rows().length, Math.min(20, lights.length), 'first lights again');
   }
 
+  /** One card for each budget that objects share, with a row for each of them. */
+  function checkBudgets() {
+    const expected = data.scenes.flatMap((scene, i) => scene.budgets.map((budget) => ({budget,
+      sharing: data.objects.filter((object) => object.scene_index === i && object.rigs.some((rig) => rig.spec === budget.spec && rig.budget?.alone))})))
+      .filter(({sharing}) => sharing.length);
+    const cards = all(document, '.budget');
+    equal(cards.length, expected.length, 'budgets');
+    for (const [i, {budget, sharing}] of expected.entries()) {
+      check(cards[i].querySelector('.facts').textContent.includes(budget.spec), 'rig of the budget');
+      equal(cards[i].textContent.includes('too long in'), budget.frames_over > 0, 'frames over the budget');
+      equal(all(cards[i], 'tbody .name').map((name) => name.textContent).join('|'), sharing.map(({name}) => name).join('|'), 'objects that share');
+      const losers = sharing.filter((object) => object.rigs.find((rig) => rig.spec === budget.spec).budget.gave_up).length;
+      equal(cards[i].querySelector('.verdict').textContent.startsWith(`${losers} of ${sharing.length} object`), losers > 0, 'how many give something up');
+      for (const [row, object] of sharing.entries()) {
+        const {budget: use} = object.rigs.find((rig) => rig.spec === budget.spec);
+        const cells = all(all(cards[i], 'tbody tr')[row], '.alone').map((cell) => cell.textContent);
+        equal(cells.length, 5, 'figures alone');
+        if (use.gave_up) check(cells[2].startsWith('alone '), `total error alone of ${object.name}`);
+      }
+    }
+  }
+
   async function run() {
     await drawn();
     const sections = all(document, 'section.object');
@@ -187,6 +209,7 @@
       equal(Boolean(sections[i].querySelector('.light-use')), object.rigs.some((rig) => rig.lights.length), 'table of lights');
       if (sections[i].querySelector('.light-use')) checkLights(sections[i], object);
     }
+    checkBudgets();
     const root = document.documentElement;
     const theme = document.getElementById('theme');
     theme.click();

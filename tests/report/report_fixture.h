@@ -5,8 +5,11 @@
 
 namespace rigel::tests {
 
-/// A moving car (two seconds, pictures of two frames) and a still figure in a second scene, seven rigs each.
+/// A moving car (two seconds, pictures of two frames) and a still figure in a second scene, eight rigs each.
 tools::Report madeUpReport();
+
+/// Three cars that share a frame's time under two kinds of rig; the third gives nothing up.
+tools::Report crowdReport();
 
 /// One still object with one rig, no lights, no pictures.
 tools::Report smallestReport();

@@ -106,6 +106,28 @@ TEST(ReportJson, WhatWasNotMeasuredIsNull) {
   EXPECT_TRUE(still["rigs"][0]["max_jump"].is_null());
 }
 
+TEST(ReportJson, SaysWhatSharingAFrameCost) {
+  const Json json = parsedReport(crowdReport());
+  const Json& budgets = json["scenes"][0]["budgets"];
+  ASSERT_EQ(budgets.size(), 2u);
+  EXPECT_THAT(keys(budgets[0]), testing::IsSupersetOf({"spec", "budget_us", "goal", "mean_us", "most_us"}));
+  EXPECT_EQ(budgets[0]["goal"], 0.03);
+  EXPECT_TRUE(budgets[1]["goal"].is_null());
+  EXPECT_EQ(budgets[0]["sentence"],
+            "2500 us a frame for 3 objects lit by auto: 2412 us on average, 2688 us at most; too long in 4 frames; no "
+            "object takes more than an error of 3.00 % needs.");
+  const auto budgetOf = [&](int object) { return json["objects"][object]["rigs"][7]["budget"]; };
+  EXPECT_EQ(budgetOf(0)["gave_up"], true);
+  EXPECT_EQ(budgetOf(0)["given_up"],
+            "total RMS 6.11 % instead of 3.06 % with the frame to itself; the same 5.5 SH vectors, 1.3 near lights "
+            "instead of 2");
+  EXPECT_EQ(budgetOf(0)["alone"]["us"], 1640);
+  EXPECT_EQ(budgetOf(2)["gave_up"], false);
+  EXPECT_EQ(budgetOf(2)["given_up"], "nothing");
+  EXPECT_FALSE(json["objects"][0]["rigs"][0].contains("budget"));
+  EXPECT_EQ(parsedReport(madeUpReport())["scenes"][0]["budgets"], Json::array());
+}
+
 TEST(ReportJson, RefusesEveryNumberThatIsNotFinite) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();

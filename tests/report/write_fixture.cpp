@@ -1,4 +1,4 @@
-// Writes a made-up report, for check_page.sh and for looking at: report_fixture made-up|smallest|hostile DIR
+// Writes a made-up report, for check_page.sh and for looking at: report_fixture made-up|crowd|smallest|hostile DIR
 #include "report/report_text.h"
 #include "report/write_report.h"
 #include "report_fixture.h"
@@ -11,11 +11,12 @@
 int main(int argc, char** argv) {
   using namespace rigel;
   const std::string_view kind = argc == 3 ? argv[1] : "";
-  if (kind != "made-up" && kind != "smallest" && kind != "hostile") {
-    fmt::print(stderr, "usage: report_fixture made-up|smallest|hostile DIR\n");
+  if (kind != "made-up" && kind != "crowd" && kind != "smallest" && kind != "hostile") {
+    fmt::print(stderr, "usage: report_fixture made-up|crowd|smallest|hostile DIR\n");
     return 2;
   }
   const tools::Report report = kind == "made-up"    ? tests::madeUpReport()
+                               : kind == "crowd"    ? tests::crowdReport()
                                : kind == "smallest" ? tests::smallestReport()
                                                     : tests::hostileReport();
   const auto written = tools::writeReport(report, argv[2]);
