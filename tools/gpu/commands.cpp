@@ -64,8 +64,8 @@ std::optional<Error> GpuCommands::createQueries() {
 }
 
 std::optional<Error> GpuCommands::begin() {
-  assert(!pending_);
   if (const auto error = device_->failure()) return error;
+  assert(!pending_);
   auto info = vulkanStruct<VkCommandBufferBeginInfo>(VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO);
   info.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
   if (const VkResult result = vkBeginCommandBuffer(buffer_, &info); result != VK_SUCCESS) return failed(result);
