@@ -50,7 +50,7 @@ bool hasNear(int kind) {
 
 #define RIGEL_VECTORS(rig) (kVectors > 0 ? kVectors : rig.vectors)
 #define RIGEL_RIG_TERM(rig, k) ((rig.terms[(k) >> 4][((k) >> 2) & 3] >> (8 * ((k)&3))) & 255)
-#ifndef RIGEL_POLY_LOOP
+#if !defined(RIGEL_POLY_MAX) || RIGEL_POLY_MAX <= 16
 #define RIGEL_TERM(rig, k) (kTermsKnown ? (RIGEL_KNOWN_TERMS(((k) >> 2) & 3) >> (8 * ((k)&3))) & 255 : RIGEL_RIG_TERM(rig, k))
 #endif
 #define RIGEL_NODES(rig) (kNodesX > 0 ? ivec3(kNodesX, kNodesY, kNodesZ) : rig.nodes)

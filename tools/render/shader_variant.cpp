@@ -29,7 +29,7 @@ bool isPoly(const GpuRig& packed) {
 }  // namespace
 
 std::string ShaderVariant::binary(const std::string& entry) const {
-  return fmt::format("{}.bands{}{}", entry, bands, loop ? ".loop" : "");
+  return fmt::format("{}.bands{}{}", entry, bands, loop > 0 ? fmt::format(".loop{}", loop) : "");
 }
 
 std::vector<ShaderConstant> ShaderVariant::constants() const {
@@ -70,8 +70,9 @@ ShaderVariant variantOf(const RigRunner& runner, const GpuRig& packed, Effects e
   const RigSpec& spec = runner.rig().spec();
   if (!spec.adaptive) variant.vectors = runner.rig().shVectors();
   if (isPoly(packed)) {
-    variant.loop = runner.rig().shVectors() > kUnrolledTerms;
-    if (!variant.loop) {
+    const bool isLong = runner.rig().shVectors() > kUnrolledTerms;
+    variant.loop = isLong ? kMaxPolyTerms : spec.adaptive ? kUnrolledTerms : 0;
+    if (!isLong) {
       variant.termsKnown = true;
       variant.terms = {packed.terms[0].x, packed.terms[0].y, packed.terms[0].z, packed.terms[0].w};
     }

@@ -34,7 +34,7 @@ struct ShaderVariant {
   int perNode = 1, kernel = 0;
   bool termsKnown = false;
   std::array<int, 4> terms{};
-  bool loop = false;  // over more monomials than are unrolled
+  int loop = 0;  // over up to 16 or 56 monomials; 0: unrolled
 
   friend bool operator==(const ShaderVariant&, const ShaderVariant&) = default;
 
