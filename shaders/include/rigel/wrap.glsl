@@ -7,13 +7,13 @@
 #include "rigel/shader_types.h"
 #include "rigel/shader_wrap.h"
 
-/// `a` held within what wraps there are.
-float rigel_clampWrap(float a) { return clamp(a, kRigelMinWrap, kRigelMaxWrap); }
+/// `a` held within what wraps there are; NaN gives 0, Lambert.
+float rigel_clampWrap(float a) { return isnan(a) ? 0.0f : clamp(a, kRigelMinWrap, kRigelMaxWrap); }
 
 /// 1 / f_0: what makes irradiance that of the energy-normalised kernel.
 float rigel_wrapEnergy(float a) {
   a = rigel_clampWrap(a);
-  return (2.0f + a) / (2.0f + 2.0f * a);
+  return 1.0f - 0.5f * a / (1.0f + a);
 }
 
 /// f_l(a), l < RIGEL_BANDS. Each as its value for Lambert and a small rest, so that no digits are lost.
