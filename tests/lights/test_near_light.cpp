@@ -235,6 +235,17 @@ TEST(NearLight, ShareScales) {
   EXPECT_EQ(whole.b, 4 * whole.r);
 }
 
+TEST(NearLight, GainScales) {
+  const NearLight light = nearLight(SphereLight{{1, 2, 0.5f}, 0.7f, {1, 2, 4}});
+  for (const float wrap : {-0.2f, 0.0f, 0.5f, 1.0f}) {
+    const Rgb plain = nearIrradiance(light, {}, {0, 1, 0}, gpuWrap(wrap));
+    const Rgb half = nearIrradiance(light, {}, {0, 1, 0}, gpuWrap(wrap, 0.5f));
+    EXPECT_EQ(half, plain * 0.5f) << "wrap " << wrap;
+    const Rgb inside = nearIrradiance(light, {1, 1.9f, 0.5f}, {0, 1, 0}, gpuWrap(wrap));
+    EXPECT_NEAR(nearIrradiance(light, {1, 1.9f, 0.5f}, {0, 1, 0}, gpuWrap(wrap, 0.5f)).r, 0.5f * inside.r, 1e-6f);
+  }
+}
+
 TEST(NearLight, NothingComesFromLightsThatAreNone) {
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
   constexpr float kInf = std::numeric_limits<float>::infinity();
@@ -265,7 +276,7 @@ TEST(NearLight, NothingComesFromLightsThatAreNone) {
 }
 
 TEST(NearLight, CheapForm) {
-  // The parabola's own error (near_cap.h), largest where the sphere all but touches.
+  // The parabola's own error (shader_near_cap.h), largest where the sphere all but touches.
   constexpr double kCheapTolerance = 0.013;
   Random random(210);
   Worst worst("cheap Lambert, any r/d, inside and touching");

@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
+#include <rigel/shader_wrap.h>
 #include <rigel/wrap.h>
 
 #include <cmath>
 #include <limits>
 
 #include "lights/describe.h"
+#include "lights/random.h"
 #include "reference/worst.h"
 #include "reference/wrap_reference.h"
 
@@ -62,6 +64,55 @@ TEST(Wrap, KernelMatchesItsDefinition) {
     for (const double x : {-1.0, -0.6, -a, 0.2, 0.9, 1.0}) {
       EXPECT_DOUBLE_EQ(wrapKernel(x, a), reference::wrapKernelReference(x, a)) << "a " << a << ", x " << x;
     }
+  }
+}
+
+TEST(Wrap, PowerOfTheFloatKernelIsAPolynomialsAway) {
+  // Two fits of 1e-7 and the rounding of their sums; worst measured 4.3e-7.
+  constexpr double kPowerTolerance = 5e-7;
+  Worst worst("base^(1+a) in float, of max(1, base^(1+a))");
+  test::Random random(221);
+  for (int k = 0; k < 1'000'000; ++k) {
+    const auto base = static_cast<float>(random.index(2) == 0 ? random.uniform(0, 2) : random.logUniform(1e-22, 2));
+    const float a = random.uniformf(kMinWrap, kMaxWrap);
+    const double expected = std::pow(static_cast<double>(base), 1 + static_cast<double>(a));
+    const double error = std::abs(static_cast<double>(detail::wrapPower(base, a)) - expected);
+    worst.add(error / std::max(1.0, expected), [&] { return "base " + describe(base) + ", a " + describe(a); });
+  }
+  worst.expectWithin(kPowerTolerance);
+  for (const float a : {-0.25f, 0.0f, 0.3f, 1.0f}) {
+    EXPECT_EQ(detail::wrapPower(0, a), 0);
+    EXPECT_EQ(detail::wrapPower(1, a), 1);
+    EXPECT_TRUE(std::isnan(detail::wrapPower(std::numeric_limits<float>::quiet_NaN(), a)));
+  }
+  EXPECT_EQ(detail::wrapPower(0.3f, 0), 0.3f);
+}
+
+TEST(Wrap, EnergyNormalisedKernelReflectsWhatItReceives) {
+  // Uniform light of radiance 1 gives pi whatever the wrap.
+  RadianceSH<5> uniform;
+  const auto value = static_cast<float>(std::sqrt(4 * kPi));
+  uniform[0] = {value, value, value};
+  for (const float a : {-0.25f, 0.0f, 0.2f, 0.5f, 1.0f, 7.0f, std::numeric_limits<float>::quiet_NaN()}) {
+    const double published = evaluate(irradianceFromRadiance(uniform, a), Vec3{0, 1, 0}).r;
+    EXPECT_NEAR(published * static_cast<double>(wrapEnergy(a)), kPi, 1e-6) << "a " << a;
+  }
+  EXPECT_EQ(wrapEnergy(0), 1);
+  EXPECT_EQ(wrapEnergy(1), 0.75f);
+}
+
+TEST(Wrap, GainScalesEverything) {
+  const GpuWrap plain = gpuWrap(0.4f);
+  const GpuWrap scaled = gpuWrap(0.4f, 0.5f);
+  EXPECT_EQ(plain.gain, 1);
+  EXPECT_EQ(scaled.f.x, 0.5f * plain.f.x);
+  EXPECT_EQ(scaled.f4, 0.5f * plain.f4);
+  EXPECT_EQ(scaled.blurBand.z, 0.5f * plain.blurBand.z);
+  EXPECT_EQ(scaled.blur, plain.blur);
+  for (const float none :
+       {0.0f, -1.0f, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+    EXPECT_EQ(gpuWrap(0.4f, none).gain, 0);
+    EXPECT_EQ(gpuWrap(0.4f, none).f.x, 0);
   }
 }
 
