@@ -5,6 +5,8 @@
 #include <functional>
 #include <limits>
 
+#include "approach.h"
+
 namespace rigel {
 namespace {
 
@@ -68,6 +70,7 @@ void NearFar::advance(std::span<const std::uint32_t> ids, float seconds) {
 
   const float rate = options_.weightRate;
   const float step = rate > 0 ? std::min(rate * seconds, 1.0f) : 1.0f;
+  seconds_ = seconds;
   slots_.assign(slotCount(), -1);
   weights_.assign(wanted_.size(), 0.0f);
   moveHolders(step);
@@ -106,7 +109,9 @@ void NearFar::recallWeights() noexcept {
 
 float NearFar::moved(const Known& light, float step) const noexcept {
   const float wanted = wanted_[light.index];
-  return light.fades ? light.weight + std::clamp(wanted - light.weight, -step * options_.fallShare, step) : wanted;
+  if (!light.fades) return wanted;
+  const float change = approach(wanted - light.weight, options_.approachRate, seconds_);
+  return light.weight + std::clamp(change, -step * options_.fallShare, step);
 }
 
 void NearFar::moveHolders(float step) noexcept {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "approach.h"
 #include "surface_check.h"
 
 namespace rigel {
@@ -47,6 +48,7 @@ struct ObjectLighting<B>::State {
     nearFar.options().slots = slots;
     // With slots to spare a light may take its time to leave: the rig has it before it is gone.
     if (chooses() && slots == kMaxNearLights) nearFar.options().fallShare = kFallShare;
+    if (chooses()) nearFar.options().approachRate = kApproachRate;
     if (options.wrap != 0) options.cost.nearLight = options.cost.nearWrap;
     functionals.resize(rig.projections());
     coefficients.resize(rig.shVectors());
@@ -254,8 +256,8 @@ struct ObjectLighting<B>::State {
     for (std::size_t i = 0; i < candidates.size(); ++i) candidateWeights[i] = nearFar.weights()[candidates[i]];
     splitLights(lights, nearFar.weights(), farLights, near, culled);
     tradeOff.farError(check.rows, check.damping(), candidateWeights, farError);
-    const float highBand =
-        cut ? choice.highBand : moved(choice.highBand, lastHighBand, nearFar.options().weightRate * seconds);
+    const float step = nearFar.options().weightRate * seconds;
+    const float highBand = cut ? choice.highBand : moved(lastHighBand, choice.highBand, step, step, seconds);
     lastHighBand = highBand;
     // A band at weight w leaves (1-w)^2 of its energy.
     const float removed = highBand * (2 - highBand);
@@ -291,7 +293,10 @@ struct ObjectLighting<B>::State {
     return lastTarget = target;
   }
 
-  static float moved(float to, float from, float step) noexcept { return std::clamp(to, from - step, from + step); }
+  /// From one weight towards another, by no more than `fall` or `rise`.
+  static float moved(float from, float to, float fall, float rise, float seconds) noexcept {
+    return from + std::clamp(approach(to - from, kApproachRate, seconds), -fall, rise);
+  }
 
   /// The cheapest choice may change from one frame to the next, and with it what is left for the rig to hold: weights
   /// of coefficients are limited as those of lights are, but rise faster, for what is not held is wrong. Returns how
@@ -301,7 +306,7 @@ struct ObjectLighting<B>::State {
     int used = 0;
     for (std::size_t j = 0; j < coefficientWeights.size(); ++j) {
       float& weight = coefficientWeights[j];
-      if (!cut) weight = std::clamp(weight, lastCoefficients[j] - fall, lastCoefficients[j] + rise);
+      if (!cut) weight = moved(lastCoefficients[j], weight, fall, rise, seconds);
       lastCoefficients[j] = weight;
       if (weight > 0) used = static_cast<int>(j) + 1;
     }
@@ -310,6 +315,7 @@ struct ObjectLighting<B>::State {
 
   static constexpr float kFallShare = 0.25f;
   static constexpr float kRiseRate = 60;          // 1/s
+  static constexpr float kApproachRate = 60;      // 1/s; nothing is held back at up to 60 frames a second
   static constexpr float kTargetRate = 4;         // 1/s
   static constexpr float kTruncatedShare = 0.1f;  // of a light's peak that three bands miss
 

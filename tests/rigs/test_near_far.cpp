@@ -268,6 +268,26 @@ TEST(NearFar, FollowsWeightsFoundElsewhere) {
   expectSound(nearFar, "follow");
 }
 
+TEST(NearFar, ApproachesWhatIsWantedByAShareOfTheWayThatShrinksWithTheFrame) {
+  NearFarOptions options;
+  options.approachRate = 60;
+  for (const float hertz : {30.0f, 120.0f, 480.0f}) {
+    NearFar nearFar(options);
+    nearFar.follow(Floats{0.5f}, {}, 1 / hertz);
+    const float share = std::min(60 / hertz, 1.0f);
+    nearFar.follow(Floats{0.6f}, {}, 1 / hertz);
+    EXPECT_NEAR(nearFar.weights()[0], 0.5f + 0.1f * share, 1e-6f) << hertz;
+    // A long way is limited as ever.
+    nearFar.reset();
+    nearFar.follow(Floats{0}, {}, 1 / hertz);
+    nearFar.follow(Floats{1}, {}, 1 / hertz);
+    EXPECT_NEAR(nearFar.weights()[0], std::min(20 / hertz, share), 1e-6f) << hertz;
+    // It arrives, and leaves its slot.
+    for (int i = 0; i < 240; ++i) nearFar.follow(Floats{0}, {}, 1 / hertz);
+    EXPECT_EQ(nearFar.weights()[0], 0) << hertz;
+  }
+}
+
 TEST(NearFar, FollowsAtOnceWhereErrorsSayThatNothingFades) {
   NearFar nearFar = withSlots(1);
   nearFar.follow(Floats{0, 0, 0}, {}, kFrame, Floats{0, 0, 1});

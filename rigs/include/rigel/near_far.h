@@ -13,10 +13,12 @@ namespace rigel {
 inline constexpr int kMaxNearLights = 64;
 
 struct NearFarOptions {
-  int slots = 2;          // near lights at most, fading ones included; held within 0..kMaxNearLights
-  float tolerance = 0;    // [W/m2] a light whose error is below it stays in the rig
-  float weightRate = 20;  // [1/s] limit of a weight's movement, for lights switched on or off and for objects that
-                          // jump; not positive: no limit
+  int slots = 2;           // near lights at most, fading ones included; held within 0..kMaxNearLights
+  float tolerance = 0;     // [W/m2] a light whose error is below it stays in the rig
+  float weightRate = 20;   // [1/s] limit of a weight's movement, for lights switched on or off and for objects that
+                           // jump; not positive: no limit
+  float approachRate = 0;  // [1/s] a weight goes this times seconds of its way at most, so that jumps too small for the
+                           // limit shrink with the frame, too; not positive: all of it at once
   float fallShare = 1;  // of weightRate, for weights that fall: a light that leaves slowly waits for the rig to take it
 };
 
@@ -76,6 +78,8 @@ class NearFar {
   NearFarOptions options_;
   bool cut_ = true;
   std::vector<float> wanted_, rank_;  // per light: the weight it should have, and who is served first
+  float approach_ = 1;                // of its way that a weight goes in this update
+  float seconds_ = 0;
   std::vector<Known> lights_, last_;  // by id, then index
   std::vector<int> waiting_;          // places in lights_
   std::vector<float> weights_;
