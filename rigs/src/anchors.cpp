@@ -36,17 +36,6 @@ std::vector<Vec3> farthestPoints(std::span<const Vec3> surface, int count) {
   return chosen;
 }
 
-/// The first and last points along each axis, each once; not more than `most`.
-std::vector<Vec3> endsOf(std::span<const Vec3> surface, int most) {
-  std::vector<Vec3> ends;
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto [first, last] = std::ranges::minmax_element(surface, {}, [axis](Vec3 p) { return p[axis]; });
-    for (const Vec3 end : {*first, *last})
-      if (static_cast<int>(ends.size()) < most && std::ranges::find(ends, end) == ends.end()) ends.push_back(end);
-  }
-  return ends;
-}
-
 int nearest(std::span<const Vec3> centres, Vec3 p) noexcept {
   int best = 0;
   for (int i = 1; i < static_cast<int>(centres.size()); ++i)
@@ -66,7 +55,8 @@ Anchors chooseAnchors(std::span<const Vec3> surface, int count, SurfaceEnds ends
   }
 
   std::vector<Vec3> centres;
-  if (ends == SurfaceEnds::anchored) centres = endsOf(surface, count / 2);
+  if (ends == SurfaceEnds::anchored)
+    for (int i : endsOf(surface, count / 2)) centres.push_back(surface[i]);
   const int fixed = static_cast<int>(centres.size());
   std::ranges::copy(farthestPoints(surface, count - fixed), std::back_inserter(centres));
   std::vector<int> cluster(surface.size());
@@ -102,6 +92,39 @@ Anchors chooseAnchors(std::span<const Vec3> surface, int count, SurfaceEnds ends
     anchors.share.push_back(static_cast<float>(population[c]) / static_cast<float>(surface.size()));
   }
   return anchors;
+}
+
+Anchors patchesOf(std::span<const Vec3> surface, std::span<const int> index) {
+  std::vector<Vec3> centres;
+  for (int i : index) centres.push_back(surface[i]);
+  std::vector<int> population(index.size());
+  std::vector<float> squares(index.size());
+  for (Vec3 p : surface) {
+    const int c = nearest(centres, p);
+    ++population[c];
+    squares[c] += squaredDistance(p, centres[c]);
+  }
+  Anchors anchors;
+  for (std::size_t c = 0; c < index.size(); ++c) {
+    if (population[c] == 0) continue;
+    const auto points = static_cast<float>(population[c]);
+    anchors.index.push_back(index[c]);
+    anchors.share.push_back(points / static_cast<float>(surface.size()));
+    anchors.radius.push_back(std::sqrt(2 * squares[c] / points));
+  }
+  return anchors;
+}
+
+std::vector<int> endsOf(std::span<const Vec3> surface, int most) {
+  std::vector<int> ends;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto [first, last] = std::ranges::minmax_element(surface, {}, [axis](Vec3 p) { return p[axis]; });
+    for (const auto end : {first, last}) {
+      const bool known = std::ranges::any_of(ends, [&](int i) { return surface[i] == *end; });
+      if (static_cast<int>(ends.size()) < most && !known) ends.push_back(static_cast<int>(end - surface.begin()));
+    }
+  }
+  return ends;
 }
 
 }  // namespace rigel

@@ -26,4 +26,11 @@ enum class SurfaceEnds {
 /// Deterministic: starts from the farthest-point order. Cost count x points x iterations; allocates.
 Anchors chooseAnchors(std::span<const Vec3> surface, int count, SurfaceEnds ends = SurfaceEnds::represented);
 
+/// The points `index` of `surface`, each with the patch of points nearest to it. One that coincides with an earlier one
+/// is left out.
+Anchors patchesOf(std::span<const Vec3> surface, std::span<const int> index);
+
+/// The first and last points along each axis, each once; not more than `most`.
+std::vector<int> endsOf(std::span<const Vec3> surface, int most);
+
 }  // namespace rigel

@@ -4,6 +4,7 @@
 
 #include <rigel/rig.h>
 
+#include "anchors.h"
 #include "surface_probes.h"
 
 namespace rigel {
@@ -21,13 +22,17 @@ struct SparseOperator {
   }
   void endRow() { rowStart.push_back(static_cast<int>(column.size())); }
   int rows() const noexcept { return static_cast<int>(rowStart.size()) - 1; }
+
+  /// `coefficients` (rows x width) = P `functionals` (columns x width); not overlapping.
+  void apply(std::span<const float> functionals, int width, std::span<float> coefficients) const noexcept;
 };
 
 class Rig::Model {
  public:
   explicit Model(RigSpec s) : spec(std::move(s)) {}
   virtual ~Model() = default;
-  static std::unique_ptr<Model> create(const RigSpec& spec, const RigShape& rest, int pointsPerVector);
+  /// In its rest pose. `anchors` where the spec samples the surface (anchorCount), else empty.
+  static std::unique_ptr<Model> create(const RigSpec& spec, const RigShape& rest, const Anchors& anchors);
 
   virtual void setPose(const RigPose& pose) noexcept = 0;
   virtual void adapt(std::span<const float> /*light*/, int /*width*/) noexcept {}

@@ -1,51 +1,12 @@
 #include "poly_model.h"
 
+#include "monomials.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace rigel {
 namespace {
-
-using Exponents = std::array<int, 3>;
-constexpr int kMaxDegree = 16;
-
-/// Standard deviation of the surface along each axis.
-std::array<double, 3> spread(std::span<const Vec3> surface) {
-  std::array<double, 3> sigma{};
-  for (int a = 0; a < 3; ++a) {
-    double mean = 0;
-    double square = 0;
-    for (Vec3 p : surface) mean += static_cast<double>(p[a]);
-    mean /= static_cast<double>(surface.size());
-    for (Vec3 p : surface) square += (static_cast<double>(p[a]) - mean) * (static_cast<double>(p[a]) - mean);
-    sigma[a] = std::sqrt(square / static_cast<double>(surface.size()));
-  }
-  return sigma;
-}
-
-/// The first K exponents by decreasing prod_a (sigma_a / (3 sigma_max))^e_a; ties by degree, then x before y before z.
-std::vector<Exponents> monomialOrder(std::span<const Vec3> surface, int terms) {
-  const std::array<double, 3> sigma = spread(surface);
-  const double largest = std::max({sigma[0], sigma[1], sigma[2]});
-  std::array<double, 3> logScale{};
-  // An axis hundreds of times thinner than the longest carries nothing; the floor keeps logarithms finite.
-  for (int a = 0; a < 3; ++a) logScale[a] = std::log(std::max(largest > 0 ? sigma[a] / largest : 1.0, 1e-9) / 3);
-
-  std::vector<Exponents> all;
-  for (int x = 0; x <= kMaxDegree; ++x)
-    for (int y = 0; x + y <= kMaxDegree; ++y)
-      for (int z = 0; x + y + z <= kMaxDegree; ++z) all.push_back({x, y, z});
-  const auto rank = [&](const Exponents& e) {
-    const double score = e[0] * logScale[0] + e[1] * logScale[1] + e[2] * logScale[2];
-    return std::tuple(-score, e[0] + e[1] + e[2], -e[0], -e[1]);
-  };
-  std::ranges::stable_sort(all, {}, rank);
-  all.resize(terms);
-  return all;
-}
-
-// A falloff has ten coefficients of its own; fewer points than this do not tell them from the polynomial's.
-constexpr int kFalloffPoints = 24;
 
 /// The function 1 is the first monomial.
 std::vector<double> constantTerm(int terms) {
@@ -56,11 +17,9 @@ std::vector<double> constantTerm(int terms) {
 
 }  // namespace
 
-Rig::PolyModel::PolyModel(RigSpec s, const RigShape& rest, int pointsPerVector)
-    : Model(std::move(s)),
-      surfaceFit_(*this, rest.surface, constantTerm(spec.polyTerms),
-                  std::max(pointsPerVector * spec.polyTerms, spec.falloff ? kFalloffPoints : 0)) {
-  const std::vector<Exponents> order = monomialOrder(rest.surface, spec.polyTerms);
+Rig::PolyModel::PolyModel(RigSpec s, const RigShape& rest, const Anchors& chosen)
+    : Model(std::move(s)), surfaceFit_(*this, chosen, constantTerm(spec.polyTerms)) {
+  const std::vector<Exponents> order = monomialOrder(spreadOf(rest.surface), spec.polyTerms);
   terms_.push_back({0, 0});
   for (std::size_t k = 1; k < order.size(); ++k) {
     Exponents divisor = order[k];

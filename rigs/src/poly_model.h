@@ -15,9 +15,12 @@
 
 namespace rigel {
 
+/// A falloff has ten coefficients of its own; fewer points than this do not tell them from the polynomial's.
+inline constexpr int kFalloffPoints = 24;
+
 class Rig::PolyModel final : public Rig::Model {
  public:
-  PolyModel(RigSpec spec, const RigShape& rest, int pointsPerVector);
+  PolyModel(RigSpec spec, const RigShape& rest, const Anchors& chosen);
 
   void setPose(const RigPose& pose) noexcept override;
   void adapt(std::span<const float> light, int width) noexcept override;

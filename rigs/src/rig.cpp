@@ -1,7 +1,9 @@
 #include <rigel/rig.h>
 
+#include "fekete.h"
 #include "model.h"
 #include "poly_model.h"
+#include "simulated_lights.h"
 #include "tensor_model.h"
 
 #include <algorithm>
@@ -18,6 +20,51 @@ constexpr int kPointsPerVector = 2;
 constexpr int kMostPointsPerVector = 4;
 constexpr double kWellDetermined = 100;  // condition up to which the anchors determine the coefficients well
 constexpr double kWorthwhile = 0.5;      // of the condition, for one projection more per light and vector
+// Of the error, for Fekete points in place of clusters, which are as good in most poses: simulated lights know the rest
+// pose alone.
+constexpr double kClearlyBetter = 0.97;
+
+void poseAtRest(Rig::Model& model, const RigShape& rest) {
+  std::vector<Vec3> posed;
+  for (int i : model.anchors) posed.push_back(rest.surface[i]);
+  model.box = rest.box;
+  model.setPose({rest.box, posed});
+}
+
+int anchorCount(const RigSpec& spec, int pointsPerVector) {
+  const int least = spec.falloff ? kFalloffPoints : 0;
+  return std::clamp(pointsPerVector * spec.shVectors(), least, LeastSquares::kMaxPoints);
+}
+
+/// With anchors where simulated lights say, at the medoids of clusters or at Fekete points. Neither is better for all
+/// shapes and models.
+std::unique_ptr<Rig::Model> anchoredModel(const RigSpec& spec, const RigShape& rest, const SimulatedLights& lights,
+                                          int points) {
+  const SurfaceEnds ends = spec.adaptive ? SurfaceEnds::anchored : SurfaceEnds::represented;
+  const Anchors clustered = chooseAnchors(rest.surface, points, ends);
+  std::unique_ptr<Rig::Model> model = Rig::Model::create(spec, rest, clustered);
+  if (static_cast<int>(rest.surface.size()) <= points) return model;
+  const Anchors fekete = feketeAnchors(rest.surface, points, ends);
+  if (fekete.index.size() < clustered.index.size()) return model;
+  std::unique_ptr<Rig::Model> other = Rig::Model::create(spec, rest, fekete);
+  if (lights.error(*other) < kClearlyBetter * lights.error(*model)) model = std::move(other);
+  poseAtRest(*model, rest);
+  return model;
+}
+
+std::unique_ptr<Rig::Model> anchoredModel(const RigSpec& spec, const RigShape& rest) {
+  const SimulatedLights lights(rest);
+  std::unique_ptr<Rig::Model> model = anchoredModel(spec, rest, lights, anchorCount(spec, kPointsPerVector));
+  // Anchors that do not tell the basis functions apart leave the fit at the mercy of single points: more of them help,
+  // unless the surface itself cannot.
+  for (int points = kPointsPerVector + 1; points <= kMostPointsPerVector && model->condition > kWellDetermined;
+       ++points) {
+    std::unique_ptr<Rig::Model> more = anchoredModel(spec, rest, lights, anchorCount(spec, points));
+    if (more->condition > kWorthwhile * model->condition) break;
+    model = std::move(more);
+  }
+  return model;
+}
 
 }  // namespace
 
@@ -30,31 +77,20 @@ Result<Rig> Rig::create(const RigSpec& spec, const RigShape& rest) {
   if (rest.surface.empty()) return Error{"no surface points", place};
   if (!std::ranges::all_of(rest.surface, isFinite)) return Error{"a surface point is not finite", place};
 
-  std::unique_ptr<Model> model = Model::create(spec, rest, kPointsPerVector);
-  // Anchors that do not tell the basis functions apart leave the fit at the mercy of single points: more of them help,
-  // unless the surface itself cannot.
-  for (int points = kPointsPerVector + 1; points <= kMostPointsPerVector && model->condition > kWellDetermined;
-       ++points) {
-    std::unique_ptr<Model> more = Model::create(spec, rest, points);
-    if (more->condition > kWorthwhile * model->condition) break;
-    model = std::move(more);
-  }
+  const bool anchored = spec.family == RigSpec::Family::poly || spec.fit == FitMethod::lsq;
+  std::unique_ptr<Model> model = anchored ? anchoredModel(spec, rest) : Model::create(spec, rest, {});
   model->probes = probeSurface(rest, model->anchors);
   return Rig(std::move(model));
 }
 
-/// In its rest pose.
-std::unique_ptr<Rig::Model> Rig::Model::create(const RigSpec& spec, const RigShape& rest, int pointsPerVector) {
+std::unique_ptr<Rig::Model> Rig::Model::create(const RigSpec& spec, const RigShape& rest, const Anchors& anchors) {
   std::unique_ptr<Model> model;
   if (spec.family == RigSpec::Family::poly) {
-    model = std::make_unique<PolyModel>(spec, rest, pointsPerVector);
+    model = std::make_unique<PolyModel>(spec, rest, anchors);
   } else {
-    model = std::make_unique<TensorModel>(spec, rest, pointsPerVector);
+    model = std::make_unique<TensorModel>(spec, rest, anchors);
   }
-  std::vector<Vec3> posed;
-  for (int i : model->anchors) posed.push_back(rest.surface[i]);
-  model->box = rest.box;
-  model->setPose({rest.box, posed});
+  poseAtRest(*model, rest);
   return model;
 }
 
@@ -85,16 +121,19 @@ void Rig::adapt(std::span<const float> functionals, int width) noexcept {
 }
 
 void Rig::fit(std::span<const float> functionals, int width, std::span<float> coefficients) const noexcept {
-  const SparseOperator& op = model_->op;
   assert(functionals.size() == static_cast<std::size_t>(projections()) * width);
   assert(coefficients.size() == static_cast<std::size_t>(shVectors()) * width);
-  for (int k = 0; k < op.rows(); ++k) {
+  model_->op.apply(functionals, width, coefficients);
+}
+
+void SparseOperator::apply(std::span<const float> functionals, int width,
+                           std::span<float> coefficients) const noexcept {
+  for (int k = 0; k < rows(); ++k) {
     float* c = &coefficients[static_cast<std::size_t>(k) * width];
     std::fill_n(c, width, 0.0f);
-    for (int e = op.rowStart[k]; e < op.rowStart[k + 1]; ++e) {
-      const float weight = op.weight[e];
-      const float* f = &functionals[static_cast<std::size_t>(op.column[e]) * width];
-      for (int i = 0; i < width; ++i) c[i] += weight * f[i];
+    for (int e = rowStart[k]; e < rowStart[k + 1]; ++e) {
+      const float* f = &functionals[static_cast<std::size_t>(column[e]) * width];
+      for (int i = 0; i < width; ++i) c[i] += weight[e] * f[i];
     }
   }
 }

@@ -1,39 +1,28 @@
 #include "surface_fit.h"
 
-#include "anchors.h"
-
 #include <algorithm>
 
 namespace rigel {
-namespace {
 
-/// Fills the model's anchors; returns the share of the area that each stands for.
-std::vector<float> setUpAnchors(Rig::Model& model, std::span<const Vec3> surface, int vectors, int points) {
-  const SurfaceEnds ends = model.spec.adaptive ? SurfaceEnds::anchored : SurfaceEnds::represented;
-  Anchors chosen = chooseAnchors(surface, std::min(points, LeastSquares::kMaxPoints), ends);
-  model.anchors = std::move(chosen.index);
-  model.functionals = static_cast<int>(model.anchors.size());
-  model.samples.resize(model.anchors.size());
+SurfaceFit::SurfaceFit(Rig::Model& model, const Anchors& anchors, std::vector<double> constant)
+    : shares_(anchors.share),
+      weights_(shares_.size()),
+      constant_(std::move(constant)),
+      leastSquares_(static_cast<int>(shares_.size()), static_cast<int>(constant_.size())) {
+  model.anchors = anchors.index;
+  model.functionals = static_cast<int>(anchors.index.size());
+  model.samples.resize(anchors.index.size());
   // Without footprints a light that touches the surface next to an anchor would pass for one that lights all of the
   // anchor's patch as brightly.
   for (std::size_t i = 0; i < model.samples.size(); ++i) {
-    model.samples[i].footprint = chosen.radius[i];
-    model.samples[i].share = chosen.share[i];
+    model.samples[i].footprint = anchors.radius[i];
+    model.samples[i].share = anchors.share[i];
   }
-  for (int k = 0; k < vectors; ++k) {
+  for (std::size_t k = 0; k < constant_.size(); ++k) {
     for (int s = 0; s < model.functionals; ++s) model.op.addEntry(s, 0);
     model.op.endRow();
   }
-  return std::move(chosen.share);
 }
-
-}  // namespace
-
-SurfaceFit::SurfaceFit(Rig::Model& model, std::span<const Vec3> surface, std::vector<double> constant, int points)
-    : shares_(setUpAnchors(model, surface, static_cast<int>(constant.size()), points)),
-      weights_(shares_.size()),
-      constant_(std::move(constant)),
-      leastSquares_(model.functionals, static_cast<int>(constant_.size())) {}
 
 void SurfaceFit::setPose(Rig::Model& model, const RigPose& pose) noexcept {
   RigBasis phi;

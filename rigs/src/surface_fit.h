@@ -8,10 +8,9 @@ namespace rigel {
 
 class SurfaceFit {
  public:
-  /// Chooses the anchors and sets up samples and (dense) operator of `model`, which has `constant.size()` SH vectors.
-  /// `constant`: the coefficients of the function 1 in the model's basis. `points` anchors, or as many as there are
-  /// room (kMaxPoints) and surface for.
-  SurfaceFit(Rig::Model& model, std::span<const Vec3> surface, std::vector<double> constant, int points);
+  /// Sets up samples and (dense) operator of `model`, which has `constant.size()` SH vectors. `constant`: the
+  /// coefficients of the function 1 in the model's basis. At most LeastSquares::kMaxPoints anchors.
+  SurfaceFit(Rig::Model& model, const Anchors& anchors, std::vector<double> constant);
 
   /// Moves samples and operator to a pose; the model's basis must be that of the pose already.
   void setPose(Rig::Model& model, const RigPose& pose) noexcept;

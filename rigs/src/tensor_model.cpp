@@ -28,7 +28,7 @@ Vec3 unit(int axis) noexcept {
 
 }  // namespace
 
-Rig::TensorModel::TensorModel(RigSpec s, const RigShape& rest, int pointsPerVector) : Model(std::move(s)) {
+Rig::TensorModel::TensorModel(RigSpec s, const RigShape& rest, const Anchors& chosen) : Model(std::move(s)) {
   const std::array<int, 3> order = spec.pinnedAxes ? std::array{0, 1, 2} : axesByExtent(rest.box);
   for (int i = 0; i < 3; ++i) axis_[order[i]] = spec.axes[i];
   axes = axis_;
@@ -40,7 +40,7 @@ Rig::TensorModel::TensorModel(RigSpec s, const RigShape& rest, int pointsPerVect
   if (spec.fit == FitMethod::lsq) {
     std::vector<double> constant(spec.shVectors(), 0);
     for (int n = 0; n < nodes_; ++n) constant[n * (1 + slopeAxes_.size())] = 1;
-    surfaceFit_.emplace(*this, rest.surface, std::move(constant), pointsPerVector * spec.shVectors());
+    surfaceFit_.emplace(*this, chosen, std::move(constant));
   } else if (spec.fit == FitMethod::gauss) {
     gaussGrid_.emplace(*this, std::array{axis_[0].nodes, axis_[1].nodes, axis_[2].nodes}, slopeAxes_, rest);
   } else {

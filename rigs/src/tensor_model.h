@@ -14,7 +14,7 @@ namespace rigel {
 
 class Rig::TensorModel final : public Rig::Model {
  public:
-  TensorModel(RigSpec spec, const RigShape& rest, int pointsPerVector);
+  TensorModel(RigSpec spec, const RigShape& rest, const Anchors& chosen);
 
   void setPose(const RigPose& pose) noexcept override;
   void basis(Vec3 p, RigBasis& out) const noexcept override;

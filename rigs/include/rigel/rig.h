@@ -56,7 +56,8 @@ struct RigBasis {
 class Rig {
  public:
   /// A rig in its rest pose. Error when the spec is out of its limits (checkRigSpec) or the shape cannot carry it (no
-  /// or non-finite surface points, box turned inside out).
+  /// or non-finite surface points, box turned inside out). Anchors are the better of two placements for simulated
+  /// lights, which takes 2 ms (`poly:6`) to 60 ms (`poly:56`) for a thousand surface points.
   static Result<Rig> create(const RigSpec& spec, const RigShape& rest);
 
   Rig(Rig&&) noexcept;
