@@ -36,7 +36,7 @@ inline NearWrap nearWrap(float a = 0) noexcept { return gpuWrap(a); }
 
 /// share * wrap.gain * irradiance [W/m2] at `p` with unit normal `n`: horizon clipped, window and cone at p, and inside
 /// a sphere the continuous extension, as exact.h. Largest error relative to the light's peak over normals, at any
-/// distance, touching and inside: Lambert (a = 0) 5e-7; wrap 0.8 % for a in (0, 1), 1.1 % from -0.1 and 2.1 % from
+/// distance, touching and inside: Lambert (a = 0) 7e-7; wrap 0.8 % for a in (0, 1), 1.1 % from -0.1 and 2.1 % from
 /// -0.25; a = 1 5e-7. A spot's cone adds what float leaves of it, 2e-7 / (cosInner - cosOuter). Wrap takes one power,
 /// as a polynomial (none where r/d > 0.6); Lambert takes two inverse functions where the light crosses the horizon and
 /// nothing elsewhere. NaN in p or n gives 0; every result is finite, held to kMaxProjectionScale (project.h). No
