@@ -154,8 +154,8 @@ class Caller {
   std::string body_;
 };
 
-class Translation : public ::testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(Bands, Translation, ::testing::Range(2, 6));
+class EveryFunction : public ::testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Translation, EveryFunction, ::testing::Range(2, 6));
 
 void translateAll(Coefficients from, int bands, const std::vector<std::string>& languages) {
   const std::vector<Function> functions = functionsOf(head(from, bands) + "void main() {}\n");
@@ -173,12 +173,27 @@ void translateAll(Coefficients from, int bands, const std::vector<std::string>& 
   }
 }
 
-TEST_P(Translation, WithCoefficientsInAUniformBlock) {
+TEST_P(EveryFunction, WithCoefficientsInAUniformBlock) {
   translateAll(Coefficients::block, GetParam(), {"glsl330", "essl300", "hlsl50", "msl21"});
 }
 
-TEST_P(Translation, WithCoefficientsInATexelBuffer) {
+TEST_P(EveryFunction, WithCoefficientsInATexelBuffer) {
   translateAll(Coefficients::texels, GetParam(), {"glsl330", "hlsl50", "msl21"});
+}
+
+TEST(Translation, OfTheEntryShaders) {
+  int shaders = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(RIGEL_ENTRY_SHADERS)) {
+    const std::string stage = entry.path().extension();
+    if (stage != ".vert" && stage != ".frag" && stage != ".comp") continue;
+    ++shaders;
+    for (const std::string language : {"glsl330", "hlsl50", "msl21"}) {
+      if (language == "glsl330" && stage == ".comp") continue;
+      const Outcome outcome = translate(language + " '" + entry.path().string() + "' -DRIGEL_BANDS=3");
+      EXPECT_EQ(outcome.exitCode, 0) << language << "\n" << outcome.err;
+    }
+  }
+  EXPECT_GE(shaders, 5);
 }
 
 TEST(TranslateScript, SaysWhatIsWrong) {

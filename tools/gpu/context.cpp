@@ -9,10 +9,17 @@
 namespace rigel::tools {
 namespace {
 
-std::string nameWished(const GpuOptions& options) {
-  if (!options.deviceName.empty()) return options.deviceName;
+DeviceWish wishOf(const GpuOptions& options) {
+  DeviceWish wish;
+  wish.name = options.deviceName;
   const char* name = std::getenv("RIGEL_VULKAN_DEVICE");
-  return name != nullptr ? name : "";
+  if (wish.name.empty() && name != nullptr) {
+    wish.name = name;
+    wish.namedBy = "RIGEL_VULKAN_DEVICE=";
+  }
+  wish.preferCpu = options.preferCpuDevice;
+  wish.features = options.features;
+  return wish;
 }
 
 std::optional<Error> createDevice(GpuDevice& device, const VkPhysicalDeviceFeatures& features) {
@@ -54,8 +61,7 @@ Result<GpuContext> GpuContext::create(const GpuOptions& options) {
   auto device = std::make_shared<GpuDevice>();
   device->timeout = options.timeout;
   if (const auto error = createInstance(*device, options.validation)) return *error;
-  const DeviceWish wish{nameWished(options), options.preferCpuDevice, options.features};
-  if (const auto error = chooseDevice(*device, wish)) return *error;
+  if (const auto error = chooseDevice(*device, wishOf(options))) return *error;
   if (const auto error = createDevice(*device, *features)) return *error;
   if (const auto error = createPipelineCache(*device, options.pipelineCache)) return *error;
   return GpuContext(std::move(device), options.pipelineCache);

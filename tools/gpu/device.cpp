@@ -1,5 +1,7 @@
 #include "gpu/device.h"
 
+#include <algorithm>
+
 namespace rigel::tools {
 
 GpuDevice::~GpuDevice() {
@@ -16,6 +18,10 @@ GpuDevice::~GpuDevice() {
     destroy(instance, messenger, nullptr);
   }
   if (instance != VK_NULL_HANDLE) vkDestroyInstance(instance, nullptr);
+}
+
+void GpuDevice::note(const std::string& line) {
+  if (std::ranges::find(notes, line) == notes.end()) notes.push_back(line);
 }
 
 std::optional<Error> GpuDevice::failure() const {

@@ -18,6 +18,9 @@ struct GpuDevice {
   GpuDevice(const GpuDevice&) = delete;
   GpuDevice& operator=(const GpuDevice&) = delete;
 
+  /// Adds it to `notes`, once.
+  void note(const std::string& line);
+
   /// The device takes no more work: an earlier submission was lost, or did not end in time.
   std::optional<Error> failure() const;
 

@@ -121,7 +121,9 @@ std::optional<Error> chooseDevice(GpuDevice& device, const DeviceWish& wish) {
     device.physical = physical;
     device.properties = properties;
   }
-  if (!named) return Error{"no Vulkan device here has that in its name; there are: " + names, "\"" + wish.name + "\""};
+  if (!named)
+    return Error{"no Vulkan device here has that in its name; there are: " + names,
+                 wish.namedBy + "\"" + wish.name + "\""};
   if (best < 0) return Error{"no Vulkan device serves: " + refused, "Vulkan"};
   device.queueFamily = *familyOf(device.physical, &device.timestampBits);
   vkGetPhysicalDeviceMemoryProperties(device.physical, &device.memory);

@@ -9,6 +9,7 @@ namespace rigel::tools {
 
 struct DeviceWish {
   std::string name = {};                    // part of the device's name, any case; "": any device
+  std::string namedBy = {};                 // what told the name, for errors: "RIGEL_VULKAN_DEVICE=" or ""
   bool preferCpu = false;                   // a software device before a GPU
   std::span<const std::string> features{};  // of VkPhysicalDeviceFeatures, by name
 };

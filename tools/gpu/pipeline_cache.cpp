@@ -94,7 +94,7 @@ std::optional<Error> createPipelineCache(GpuDevice& device, const std::filesyste
     if (unpacked)
       data = *std::move(unpacked);
     else
-      device.notes.push_back("pipeline cache " + file.string() + " is ignored: " + unpacked.error().message);
+      device.note("pipeline cache " + file.string() + " is ignored: " + unpacked.error().message);
   }
   auto info = vulkanStruct<VkPipelineCacheCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO);
   info.initialDataSize = data.size();

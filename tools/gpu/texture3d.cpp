@@ -40,7 +40,7 @@ Result<VkSampler> linearSampler(const GpuDevice& device) {
 Result<TextureFormat> filteredFormat(const GpuContext& context, TextureFormat wished) {
   if (filters(context, wished)) return wished;
   if (wished == TextureFormat::rgba32f && filters(context, TextureFormat::rgba16f)) {
-    context.device()->notes.push_back("3-D textures are RGBA16F: the device does not filter RGBA32F");
+    context.device()->note("3-D textures are RGBA16F: the device does not filter RGBA32F");
     return TextureFormat::rgba16f;
   }
   return Error{"the device filters neither RGBA32F nor RGBA16F textures", context.name()};
