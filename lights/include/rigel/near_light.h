@@ -37,7 +37,7 @@ inline NearWrap nearWrap(float a = 0) noexcept { return gpuWrap(a); }
 /// share * wrap.gain * irradiance [W/m2] at `p` with unit normal `n`: horizon clipped, window and cone at p, and inside
 /// a sphere the continuous extension, as exact.h. Largest error relative to the light's peak over normals, at any
 /// distance, touching and inside: Lambert (a = 0) 7e-7; wrap 0.8 % for a in (0, 1), 1.1 % from -0.1 and 2.1 % from
-/// -0.25; a = 1 5e-7. A spot's cone adds what float leaves of it, 2e-7 / (cosInner - cosOuter). Wrap takes one power,
+/// -0.25; a = 1 7e-7. A spot's cone adds what float leaves of it, 2e-7 / (cosInner - cosOuter). Wrap takes one power,
 /// as a polynomial (none where r/d > 0.6); Lambert takes two inverse functions where the light crosses the horizon and
 /// nothing elsewhere. NaN in p or n gives 0; every result is finite, held to kMaxProjectionScale (project.h). No
 /// allocation; any number of threads.
@@ -51,8 +51,8 @@ Rgb nearIrradiance(const NearLight& light, Vec3 p, Vec3 n, float wrap = 0) noexc
 Rgb cheapIrradiance(const NearLight& light, Vec3 p, Vec3 n) noexcept;
 
 /// What 3-band SH leave out of the light: to be added at p where the light itself is in a rig. The kernel less its own
-/// 3 bands, f(x) - sum_{l<3} band[l] P_l(x), times the irradiance, faded out where the light is so large that SH hold
-/// it. Of the truncation, up to 9.4 % of the peak for Lambert (18 % for a = -0.25, 2.9 % for 0.5), it leaves 3.3 %
+/// 3 bands, f(x) - sum_{l<3} (2l+1)/4 f_l P_l(x), times the irradiance, faded out where the light is so large that SH
+/// hold it. Of the truncation, up to 9.4 % of the peak for Lambert (18 % for a = -0.25, 2.9 % for 0.5), it leaves 3.3 %
 /// (7.3, 1.6); of a distant light's, nothing. May be negative. Where a light is far off, a directional light with the
 /// direction and irradiance at the object's centre will do, and costs 18 flops.
 Rgb correctorIrradiance(const NearLight& light, Vec3 p, Vec3 n, const NearWrap& wrap) noexcept;
