@@ -11,14 +11,17 @@ namespace rigel::test {
 template <class Function>
 class Replaced {
  public:
-  Replaced(Function& function, Function with) : function_(function), original_(std::exchange(function, with)) {}
+  Replaced(Function& function, Function with) : function_(function) {
+    tools::loadVulkan();  // now: later it would overwrite what is put in place
+    original_ = std::exchange(function, with);
+  }
   ~Replaced() { function_ = original_; }
   Replaced(const Replaced&) = delete;
   Replaced& operator=(const Replaced&) = delete;
 
  private:
   Function& function_;
-  Function original_;
+  Function original_ = nullptr;
 };
 
 }  // namespace rigel::test
