@@ -13,7 +13,7 @@ layout(push_constant) uniform Draw {
 
 #include "shade_object.glsl"
 
-// Position and normal, a vec4 each.
+// Position and normal, a vec4 each; the rig's part of irradiance, not clamped, and that of near lights likewise.
 layout(set = 0, binding = 6) uniform samplerBuffer points;
 layout(set = 0, binding = 7, std430) writeonly buffer Results { vec4 irradiance[]; };
 
@@ -22,5 +22,7 @@ void main() {
   int i = firstPoint + min(int(gl_GlobalInvocationID.x), pointCount - 1);
   vec3 p = texelFetch(points, 2 * i).xyz;
   vec3 n = texelFetch(points, 2 * i + 1).xyz;
-  irradiance[i] = vec4(shadeObject(p, n, firstNear, nearCount), 1.0);
+  GpuWrap own = materialWrap();
+  irradiance[2 * i] = vec4(rigPart(p, n, own), 0.0);
+  irradiance[2 * i + 1] = vec4(nearPart(p, n, own, firstNear, nearCount), 0.0);
 }

@@ -108,21 +108,30 @@ GpuNearLight nearLightAt(int i) {
 }
 #endif
 
-/// Irradiance [W/m2] at `p` (world) with unit normal `n`: the rig's part clamped, near lights [first, first + count).
-vec3 shadeObject(vec3 p, vec3 n, int first, int count) {
-  GpuWrap own = materialWrap();
+/// Irradiance [W/m2] at `p` (world) with unit normal `n` from rig and high band, not clamped.
+vec3 rigPart(vec3 p, vec3 n, GpuWrap own) {
   vec3 e = vec3(0.0);
   if (rig_constant || rig_poly || rig_invquad || rig_tensor || rig_texture) e = rigIrradiance(p, n, own);
 #ifndef RIGEL_WITHOUT_highBand
   if (rig_highBand) e += rigel_highBandIrradiance(coefficients, rig, n, own);
 #endif
-  e = rigel_clampIrradiance(e);
+  return e;
+}
+
+/// And from near lights [first, first + count).
+vec3 nearPart(vec3 p, vec3 n, GpuWrap own, int first, int count) {
+  vec3 e = vec3(0.0);
 #ifndef RIGEL_WITHOUT_near
   if (light_near_directional || light_near_point || light_near_spot || light_near_sphere) {
     for (int i = first; i < first + count; ++i) e += rigel_nearIrradiance(nearLightAt(i), p, n, own);
   }
 #endif
   return e;
+}
+
+vec3 shadeObject(vec3 p, vec3 n, int first, int count) {
+  GpuWrap own = materialWrap();
+  return rigel_clampIrradiance(rigPart(p, n, own)) + nearPart(p, n, own, first, count);
 }
 
 #endif

@@ -3,6 +3,7 @@
 
 #include <rigel/result.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,10 @@ struct Figure {
   std::string unit;      // "ns/light/point", "us/character", "ns/point"
   std::string baseline;  // what it is compared with, or ""
   double ratio = 0;      // baseline time / own time: above 1 is faster
+  // Of GPU figures (gpu_costs.h).
+  std::optional<int> instructions = {};     // of the specialised shader
+  std::optional<double> spatialError = {};  // RMS over the mean light
+  std::optional<double> totalError = {};
 };
 
 /// All figures whose name matches the regular expression `filter`. Baselines that they need are run whatever the

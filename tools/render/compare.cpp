@@ -1,10 +1,35 @@
 #include "render/compare.h"
 
+#include <rigel/glm.h>
+
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 
 namespace rigel::tools {
+namespace {
+
+bool showsSame(const RenderedFrame& frame, const VisibleSample& sample, std::span<const std::uint32_t> partOf) {
+  return sample.kind == SampleKind::object && frame.part[sample.pixel] == partOf[sample.part] &&
+         frame.triangle[sample.pixel] == sample.triangle;
+}
+
+}  // namespace
+
+double takePoints(const RenderedFrame& frame, const RenderedPoints& points, std::span<const std::uint32_t> partOf,
+                  VisibleSurface& seen) {
+  double apart = 0;
+  for (VisibleSample& sample : seen.samples) {
+    if (!showsSame(frame, sample, partOf)) continue;
+    const glm::vec3 position = points.position[sample.pixel];
+    apart = std::max(apart, static_cast<double>(glm::distance(position, toGlm(sample.position))));
+    sample.position = fromGlm(position);
+    sample.normal = fromGlm(points.normal[sample.pixel]);
+  }
+  return apart;
+}
 
 Difference compare(const RenderedFrame& frame, const VisibleSurface& seen, std::span<const Rgb> reference,
                    std::span<const std::uint32_t> partOf) {
@@ -16,7 +41,7 @@ Difference compare(const RenderedFrame& frame, const VisibleSurface& seen, std::
     const VisibleSample& sample = seen.samples[i];
     if (sample.kind != SampleKind::object) continue;
     ++result.covered;
-    if (frame.part[sample.pixel] != partOf[sample.part] || frame.triangle[sample.pixel] != sample.triangle) continue;
+    if (!showsSame(frame, sample, partOf)) continue;
     double worst = 0;
     for (int c = 0; c < 3; ++c) {
       const double expected = static_cast<double>(reference[i][c]);

@@ -3,6 +3,8 @@
 
 #include "picture/image.h"
 
+#include <glm/vec3.hpp>
+
 #include <cstdint>
 #include <vector>
 
@@ -18,6 +20,12 @@ struct RenderedFrame {
   std::vector<std::uint32_t> part;      // 1 + the number of the object drawn (lights last), or kNothing
   std::vector<std::uint32_t> triangle;  // of that object
   double milliseconds = 0;              // the device's time for the draws
+};
+
+/// The points behind a RenderedFrame's pixels, as its shaders had them.
+struct RenderedPoints {
+  std::vector<glm::vec3> position;  // world
+  std::vector<glm::vec3> normal;    // world, unit
 };
 
 }  // namespace rigel::tools

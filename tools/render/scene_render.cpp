@@ -39,7 +39,8 @@ Result<SceneRender> SceneRender::create(const RenderOptions& options, const GpuC
   render.fit(0);
   std::vector<DrawnObject> drawn;
   for (const Lit& lit : render.lit_) drawn.push_back({lit.object, lit.rig.get()});
-  const RendererOptions how{options.run.bands, options.storage, options.perVertex, options.run.wrap};
+  const RendererOptions how{options.run.bands, options.storage, options.perVertex, options.run.wrap,
+                            options.against != RenderReference::none};
   auto renderer = SceneRenderer::create(context, drawn, render.stage_->lights().set, how);
   if (!renderer) return renderer.error();
   render.renderer_ = std::make_unique<SceneRenderer>(*std::move(renderer));
@@ -179,7 +180,11 @@ Result<RenderResult> SceneRender::render(int frame) {
   result.effects = renderer_->effects();
   result.effects.add(lightEffects(stage_->lights().set));
   if (options_.run.rigs.front().adaptive) result.effects.add(Effect::rig_auto);
-  if (options_.against != RenderReference::none) result.difference = compareWith(*measured, plain);
+  if (options_.against != RenderReference::none) {
+    const auto points = renderer_->points(plain);
+    if (!points) return points.error();
+    result.difference = compareWith(*measured, *points, plain);
+  }
 
   RenderedFrame shown = *std::move(measured);
   if (options_.supersampling > 1) {
@@ -221,7 +226,7 @@ Image SceneRender::picture(const RenderedFrame& frame, float exposure) const {
   return image;
 }
 
-Difference SceneRender::compareWith(const RenderedFrame& frame, const Camera& camera) {
+Difference SceneRender::compareWith(const RenderedFrame& frame, const RenderedPoints& points, const Camera& camera) {
   RayCaster caster;
   std::vector<std::uint32_t> partOf;
   for (std::size_t i = 0; i < lit_.size(); ++i) {
@@ -230,11 +235,14 @@ Difference SceneRender::compareWith(const RenderedFrame& frame, const Camera& ca
   }
   addLights(caster, stage_->lights().set, kLightMarker * framedSphere().radius, kLightBrightness);
   VisibleSurface seen = caster.cast(camera, 1);
+  const double apart = takePoints(frame, points, partOf, seen);
   if (options_.run.wrap)
     for (VisibleSample& sample : seen.samples) sample.wrap = *options_.run.wrap;
   std::vector<Rgb> reference =
       options_.against == RenderReference::truth ? exactIrradiance(seen, stage_->lights().set) : irradianceOfRigs(seen);
-  return compare(frame, seen, reference, partOf);
+  Difference difference = compare(frame, seen, reference, partOf);
+  difference.apart = apart / static_cast<double>(framedSphere().radius);
+  return difference;
 }
 
 /// What the CPU gives at the same points from the same rigs and near lights.

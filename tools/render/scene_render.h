@@ -54,7 +54,7 @@ class SceneRender {
   BoundingSphere framedSphere() const;
   float exposureOf(const RenderedFrame& frame) const;
   Image picture(const RenderedFrame& frame, float exposure) const;
-  Difference compareWith(const RenderedFrame& frame, const Camera& camera);
+  Difference compareWith(const RenderedFrame& frame, const RenderedPoints& points, const Camera& camera);
   std::vector<Rgb> irradianceOfRigs(const VisibleSurface& seen) const;
 
   RenderOptions options_;

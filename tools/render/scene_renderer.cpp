@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstring>
 
@@ -56,6 +57,13 @@ std::vector<DrawVertex> unitBall() {
   return vertices;
 }
 
+template <class T>
+std::vector<T> threeOfFour(GpuBuffer& pixels) {
+  std::vector<T> all;
+  for (const glm::vec4& pixel : pixels.as<glm::vec4>()) all.push_back({pixel.x, pixel.y, pixel.z});
+  return all;
+}
+
 }  // namespace
 
 Result<SceneRenderer> SceneRenderer::create(const GpuContext& context, std::span<const DrawnObject> objects,
@@ -91,12 +99,18 @@ std::optional<Error> SceneRenderer::makePipelines(const LightSet& lights) {
   auto flat = GpuPipeline::raster(*context_, buffers_.layout(), vertex, fragment, streams(false), *target);
   if (!flat) return flat.error();
   flat_ = *std::move(flat);
+  if (options_.points) {
+    auto surface = GpuPipeline::raster(*context_, buffers_.layout(), {shaderBinary("object.vert")},
+                                       {shaderBinary("surface.frag")}, streams(true), *target);
+    if (!surface) return surface.error();
+    surface_ = *std::move(surface);
+  }
   for (Drawn& drawn : drawn_) {
     GpuRig packed;
     if (drawn.rig != nullptr) packed = buffers_.pack(drawn.rigIndex, *drawn.rig).packed;
     for (const DrawRange& range : drawn.draws.ranges()) {
       std::vector<ShaderVariant> variants{nearVariant(options_.bands, lights, range.wrap)};
-      if (drawn.rig != nullptr) variants = possibleVariants(*drawn.rig, packed, range.wrap, lights);
+      if (drawn.rig != nullptr) variants = possibleVariants(*drawn.rig, packed, range.wrap, lightEffects(lights));
       for (const ShaderVariant& variant : variants)
         if (auto error = addPipeline(variant, *target)) return error;
     }
@@ -133,6 +147,7 @@ std::optional<Error> SceneRenderer::warmUp(const RasterTarget& target) {
   draw.vertices = 3;
   draw.bindings = &buffers_.bindings(0);
   record(camera, draw, *flat_);
+  if (surface_) record(camera, draw, *surface_);
   for (const Entry& entry : shelf_) record(camera, draw, entry.pipeline);
   commands_.endPass();
   return commands_.run();
@@ -242,12 +257,13 @@ void SceneRenderer::record(const Camera& camera, const Draw& draw, const GpuPipe
   commands_.draw(draw.vertices, draw.firstVertex);
 }
 
-Result<double> SceneRenderer::run(const Camera& camera, bool lit) {
+/// Draws the list, all of it by one pipeline if there is one `instead`.
+Result<double> SceneRenderer::run(const Camera& camera, const GpuPipeline* instead) {
   if (auto error = commands_.begin()) return *error;
   buffers_.upload(commands_);
   const int start = commands_.mark();
   commands_.beginPass(*target_, kClear);
-  for (const Draw& draw : list_) record(camera, draw, lit ? *draw.pipeline : *flat_);
+  for (const Draw& draw : list_) record(camera, draw, instead != nullptr ? *instead : *draw.pipeline);
   commands_.endPass();
   const int end = commands_.mark();
   for (std::size_t i = 0; i < readBacks_.size(); ++i) commands_.read(target_->colours()[i], readBacks_[i]);
@@ -261,32 +277,29 @@ Result<RenderedFrame> SceneRenderer::render(const Camera& camera, std::span<cons
   if (auto error = makeRoom(balls.size())) return *error;
   fillVertices(posed, balls);
   if (auto error = listDraws(lights, balls.size())) return *error;
-  const auto milliseconds = run(camera, true);
+  const auto milliseconds = run(camera, nullptr);
   if (!milliseconds) return milliseconds.error();
 
   RenderedFrame frame;
   frame.width = camera.width;
   frame.height = camera.height;
   frame.milliseconds = *milliseconds;
-  const auto pixels = static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height);
-  const auto colours = [&](std::size_t i) {
-    std::vector<Rgb> out(pixels);
-    const std::span<const glm::vec4> from = readBacks_[i].as<glm::vec4>();
-    for (std::size_t p = 0; p < pixels; ++p) out[p] = {from[p].x, from[p].y, from[p].z};
-    return out;
-  };
-  frame.radiance = colours(0);
-  frame.irradiance = colours(1);
-  const std::span<const glm::uvec2> surface = readBacks_[2].as<glm::uvec2>();
-  frame.part.resize(pixels);
-  frame.triangle.resize(pixels);
-  for (std::size_t p = 0; p < pixels; ++p) {
-    frame.part[p] = surface[p].x;
-    frame.triangle[p] = surface[p].y;
+  frame.radiance = threeOfFour<Rgb>(readBacks_[0]);
+  frame.irradiance = threeOfFour<Rgb>(readBacks_[1]);
+  for (const glm::uvec2 surface : readBacks_[2].as<glm::uvec2>()) {
+    frame.part.push_back(surface.x);
+    frame.triangle.push_back(surface.y);
   }
   return frame;
 }
 
-Result<double> SceneRenderer::unlitMilliseconds(const Camera& camera) { return run(camera, false); }
+Result<double> SceneRenderer::unlitMilliseconds(const Camera& camera) { return run(camera, &*flat_); }
+
+Result<RenderedPoints> SceneRenderer::points(const Camera& camera) {
+  assert(surface_);
+  const auto milliseconds = run(camera, &*surface_);
+  if (!milliseconds) return milliseconds.error();
+  return RenderedPoints{threeOfFour<glm::vec3>(readBacks_[0]), threeOfFour<glm::vec3>(readBacks_[1])};
+}
 
 }  // namespace rigel::tools

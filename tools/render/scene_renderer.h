@@ -22,6 +22,7 @@ struct RendererOptions {
   RigStorage storage = RigStorage::float32;
   bool perVertex = false;
   std::optional<float> wrap;  // overrides the materials'
+  bool points = false;        // that `points` may be asked for
 };
 
 /// Everything is made and warmed up in `create`: afterwards no shader or pipeline is, whatever the frames hold.
@@ -38,6 +39,9 @@ class SceneRenderer {
 
   /// The same frame in constant colours: what it costs to draw without lighting. [ms]
   Result<double> unlitMilliseconds(const Camera& camera);
+
+  /// What the pixels of the same frame shaded. Only if RendererOptions::points.
+  Result<RenderedPoints> points(const Camera& camera);
 
   int pipelines() const { return static_cast<int>(shelf_.size()); }
   /// What the shaders of the last frame were specialised to, over all draws.
@@ -78,7 +82,7 @@ class SceneRenderer {
   void fillVertices(std::span<const PosedObject> posed, std::span<const LightBall> balls);
   std::optional<Error> listDraws(const LightSet& lights, std::size_t balls);
   void record(const Camera& camera, const Draw& draw, const GpuPipeline& pipeline);
-  Result<double> run(const Camera& camera, bool lit);
+  Result<double> run(const Camera& camera, const GpuPipeline* instead);
 
   const GpuContext* context_;
   RendererOptions options_;
@@ -87,6 +91,7 @@ class SceneRenderer {
   GpuCommands commands_;
   std::vector<Entry> shelf_;
   std::optional<GpuPipeline> flat_;
+  std::optional<GpuPipeline> surface_;
   std::vector<DrawVertex> ball_;  // of radius 1
   std::optional<GpuBuffer> vertices_;
   std::uint32_t objectVertices_ = 0;

@@ -85,21 +85,21 @@ ShaderVariant variantOf(const RigRunner& runner, const GpuRig& packed, Effects e
   return variant;
 }
 
-Effects nearKindsOf(const LightSet& lights, float wrap) {
+Effects nearKindsOf(Effects lightKinds, float wrap) {
   Effects kinds;
-  if (lights.directionalCount() > 0) kinds.add(Effect::light_near_directional);
-  if (lights.pointCount() > 0) kinds.add(Effect::light_near_point);
-  if (lights.spotCount() > 0) kinds.add(Effect::light_near_spot);
-  if (lights.sphereCount() > 0) kinds.add(Effect::light_near_sphere);
+  if (lightKinds.has(Effect::light_directional)) kinds.add(Effect::light_near_directional);
+  if (lightKinds.has(Effect::light_point)) kinds.add(Effect::light_near_point);
+  if (lightKinds.has(Effect::light_spot)) kinds.add(Effect::light_near_spot);
+  if (lightKinds.has(Effect::light_sphere)) kinds.add(Effect::light_near_sphere);
   if (!kinds.empty() && wrap != 0) kinds.add(Effect::light_near_wrap);
   return kinds;
 }
 
 std::vector<ShaderVariant> possibleVariants(const RigRunner& runner, const GpuRig& packed, float wrap,
-                                            const LightSet& lights) {
+                                            Effects lightKinds) {
   const LightingOptions& asked = runner.asked();
   const bool chooses = asked.target.kind != LightingTarget::Kind::none;
-  const Effects nearKinds = nearKindsOf(lights, wrap);
+  const Effects nearKinds = nearKindsOf(lightKinds, wrap);
   const Effects rig = rigEffects(runner.rig().spec());
   std::vector<ShaderVariant> all;
   for (const bool hasRig : {true, false}) {

@@ -47,12 +47,13 @@ struct ShaderVariant {
 /// or less changes nothing: the variant has all `nearKinds` of the scene, or none.
 ShaderVariant variantOf(const RigRunner& runner, const GpuRig& packed, Effects effects, Effects nearKinds);
 
-/// The near effects that lights of these kinds may come to call for.
-Effects nearKindsOf(const LightSet& lights, float wrap);
+/// The near effects that lights of these kinds (lightEffects) may come to call for.
+Effects nearKindsOf(Effects lightKinds, float wrap);
+inline Effects nearKindsOf(const LightSet& lights, float wrap) { return nearKindsOf(lightEffects(lights), wrap); }
 
 /// Every variant that frames to come may want: with near lights and without, with a high band and without.
 std::vector<ShaderVariant> possibleVariants(const RigRunner& runner, const GpuRig& packed, float wrap,
-                                            const LightSet& lights);
+                                            Effects lightKinds);
 
 /// Something lit by near lights alone.
 ShaderVariant nearVariant(int bands, const LightSet& lights, float wrap);

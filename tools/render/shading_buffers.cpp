@@ -10,7 +10,16 @@ namespace rigel::tools {
 namespace {
 
 // Bindings of shade_object.glsl.
-enum Binding : std::uint32_t { kCoefficients, kGaussNodes, kNearLights, kLattice, kObject, kMaterial };
+enum Binding : std::uint32_t {
+  kCoefficients,
+  kGaussNodes,
+  kNearLights,
+  kLattice,
+  kObject,
+  kMaterial,
+  kPoints,  // of points.comp, as kResults
+  kResults
+};
 
 constexpr int kNearVec4 = sizeof(GpuNearLight) / sizeof(GpuVec4);
 
@@ -30,7 +39,8 @@ Result<ShadingBuffers> ShadingBuffers::create(const GpuContext& context, const S
   using Kind = BindingSlot::Kind;
   constexpr BindingSlot kSlots[] = {{kCoefficients, Kind::texels},   {kGaussNodes, Kind::texels},
                                     {kNearLights, Kind::texels},     {kLattice, Kind::texture},
-                                    {kObject, Kind::uniformDynamic}, {kMaterial, Kind::uniformDynamic}};
+                                    {kObject, Kind::uniformDynamic}, {kMaterial, Kind::uniformDynamic},
+                                    {kPoints, Kind::texels},         {kResults, Kind::storage}};
   constexpr std::uint32_t kPushBytes = 128;  // what every device has
   auto layout = GpuLayout::create(context, kSlots, kPushBytes);
   if (!layout) return layout.error();
@@ -111,6 +121,14 @@ std::optional<Error> ShadingBuffers::createBindings(const GpuContext& context, c
                        bindings->set(kLattice, i < textures_.size() && textures_[i] ? *textures_[i] : *noTexture_)})
       if (error) return error;
     bindings_.push_back(*std::move(bindings));
+  }
+  return std::nullopt;
+}
+
+std::optional<Error> ShadingBuffers::setPoints(const GpuBuffer& points, const GpuBuffer& results) {
+  for (GpuBindings& bindings : bindings_) {
+    if (auto error = bindings.set(kPoints, points)) return error;
+    if (auto error = bindings.set(kResults, results)) return error;
   }
   return std::nullopt;
 }

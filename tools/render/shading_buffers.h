@@ -38,6 +38,9 @@ class ShadingBuffers {
   /// Bytes of the rig's coefficients in their storage, in the frame packed last.
   std::size_t coefficientBytes(std::size_t rig) const { return coefficientBytes_[rig]; }
 
+  /// For points.comp: what it reads and writes.
+  std::optional<Error> setPoints(const GpuBuffer& points, const GpuBuffer& results);
+
   // A frame, not while the device works on the last one.
 
   void begin() { nearUsed_ = 0; }

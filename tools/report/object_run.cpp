@@ -57,6 +57,7 @@ Result<ObjectRun::MeasuredRig> ObjectRun::makeRig(const RigSpec& spec, const Pos
   asked.wrap = commonWrap(surface_.wrap);
   auto runner = makeRigRunner(spec, asked, options.bands, *object_, rest, surface_);
   if (!runner) return runner.error();
+  if (options.shading) (*runner)->setShading(options.shading());
   const bool shares = options.budget && chooses(spec, options);
   const RigTally tally(asked, shares ? options.budget : std::nullopt);
   return MeasuredRig{*std::move(runner), tally, choiceOptions(spec, options), shares, nullptr};
@@ -123,6 +124,8 @@ void ObjectRun::compare(MeasuredRig& rig, const LightSet& lights, std::optional<
   rig.runner->shade(truth_.points, surface_.wrap, shaded_);
   rig.tally.addFrame(*rig.runner, shaded_, truth_, shOfFarShares(*rig.runner, lights), surface_.wrap, followsOn_);
   if (granted) rig.tally.grant(*granted);
+  half_.resize(shaded_.size());
+  if (rig.runner->shadeHalf(truth_.points, surface_.wrap, half_)) rig.tally.addHalf(shaded_, half_);
 }
 
 void ObjectRun::time(MeasuredRig& rig) {

@@ -102,7 +102,7 @@ class ObjectRun {
   Truth truth_;
   bool followsOn_ = false;
   std::vector<RgbD> previousExact_;
-  std::vector<RigRunner::Shaded> shaded_;
+  std::vector<RigRunner::Shaded> shaded_, half_;
 
   LightSet far_;  // working memory of shOfFarShares
   std::vector<NearLight> near_;

@@ -80,6 +80,8 @@ struct RigReport {
   double modelledNanoseconds = 0;  // a shaded point, by the cost model; mean over the frames
   int highBandFrames = 0;          // in which the rig held a constant band beyond its own
   std::size_t bytes = 0;           // of the frame with the most SH vectors
+  /// What coefficients in half floats would add to the error, at half the bytes; where the device measured it.
+  std::optional<ErrorFigures> halfFloat;
   /// Popping: the largest change of the error, at any sample and channel, between frames that follow on each other
   /// (numbered one apart, no clip starting over). Empty where no two of the frames do.
   std::optional<double> maxJump;

@@ -153,6 +153,10 @@ class Writer {
                    {"bytes", report.bytes},
                    {"max_jump", numberOrNull(report.maxJump, "max_jump")},
                    {"condition", number(report.condition, "condition")}};
+    if (report.halfFloat)
+      result["half_float"] = {{"rms", number(report.halfFloat->rms, "half_float.rms")},
+                              {"max", number(report.halfFloat->max, "half_float.max")},
+                              {"bytes", report.bytes / 2}};
     if (report.budget) result["budget"] = budgetUse(report);
     Json stages = Json::object();
     for (const StageTime& stage : report.stages) stages[stage.name] = number(stage.microseconds, stage.name);

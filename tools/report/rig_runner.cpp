@@ -80,6 +80,7 @@ class RunnerOf final : public RigRunner {
   }
 
   void light(const LightSet& lights, float seconds) override {
+    lightKinds_ = lightEffects(lights);
     StageClock clock(times_);
     lighting_.light(lights, seconds, {}, clock.probe());
   }
@@ -90,12 +91,14 @@ class RunnerOf final : public RigRunner {
   }
   float costAt(float target) const override { return lighting_.costAt(target); }
   void settle(const LightSet& lights, float target, float seconds) override {
+    lightKinds_ = lightEffects(lights);
     StageClock clock(times_);
     lighting_.settle(lights, target, seconds, {}, clock.probe());
   }
   const FitTimes& times() const override { return times_; }
 
   double shade(std::span<const PointAndNormal> points, std::span<const float> wrap, std::span<Shaded> out) override {
+    if (shading_ != nullptr) return shading_->shade(*this, points, wrap, out);
     const auto start = std::chrono::steady_clock::now();
     MaterialWrap<B> material;
     float materialWrap = 0;
@@ -105,6 +108,12 @@ class RunnerOf final : public RigRunner {
       out[i] = {parts.rig, parts.near};
     }
     return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
+  }
+
+  void setShading(std::unique_ptr<PointShading> shading) override { shading_ = std::move(shading); }
+  bool shadeHalf(std::span<const PointAndNormal> points, std::span<const float> wrap, std::span<Shaded> out) override {
+    if (shading_ != nullptr) shading_->shadeHalf(*this, points, wrap, out);
+    return shading_ != nullptr;
   }
 
   bool hasHighBand() const override { return lighting_.highBand().band >= B; }
@@ -140,6 +149,7 @@ class RunnerOf final : public RigRunner {
   GpuRig packTexture(std::span<GpuHalf4> texels) const override { return packTexels(texels); }
   std::span<const NearLight> nearLights() const override { return lighting_.nearLights(); }
   Effects effects(float wrap) const override { return frameEffects(lighting_, wrap); }
+  Effects lightKinds() const override { return lightKinds_; }
 
  private:
   template <class Vec4>
@@ -153,6 +163,8 @@ class RunnerOf final : public RigRunner {
 
   ObjectLighting<B> lighting_;
   RigFrame frame_;
+  Effects lightKinds_;
+  std::unique_ptr<PointShading> shading_;  // null: the CPU itself
   LightingOptions asked_;
   FitTimes times_;
   std::vector<SurfacePoint> anchorPoints_;

@@ -19,6 +19,8 @@ struct FitTimes {
   std::array<std::optional<double>, kStages> stages;
 };
 
+class PointShading;
+
 /// Type-erased over the number of bands. Near lights fade with the frames it is shown (reset, fit).
 class RigRunner {
  public:
@@ -57,6 +59,12 @@ class RigRunner {
   /// At points with their wraps. Returns the microseconds it took.
   virtual double shade(std::span<const PointAndNormal> points, std::span<const float> wrap, std::span<Shaded> out) = 0;
 
+  /// Leaves evaluation to another: `shade` is then its, as is what a device reports.
+  virtual void setShading(std::unique_ptr<PointShading> shading) = 0;
+  /// As `shade`, with coefficients in half floats; false where nobody has them.
+  virtual bool shadeHalf(std::span<const PointAndNormal> points, std::span<const float> wrap,
+                         std::span<Shaded> out) = 0;
+
   /// The part of Shaded::rig that lies beyond the rig's bands: no part of its spatial error.
   virtual bool hasHighBand() const = 0;
   virtual Rgb highBand(Vec3 normal, float wrap) const = 0;
@@ -81,6 +89,18 @@ class RigRunner {
   virtual GpuRig packTexture(std::span<GpuHalf4> texels) const = 0;
   virtual std::span<const NearLight> nearLights() const = 0;
   virtual Effects effects(float wrap) const = 0;
+  virtual Effects lightKinds() const = 0;  // of the lights last fitted to
+};
+
+/// Who evaluates a fitted rig and its near lights at points, in the CPU's place.
+class PointShading {
+ public:
+  virtual ~PointShading() = default;
+  /// As RigRunner::shade and shadeHalf. What goes wrong with a device is thrown, as std::runtime_error.
+  virtual double shade(const RigRunner& rig, std::span<const PointAndNormal> points, std::span<const float> wrap,
+                       std::span<RigRunner::Shaded> out) = 0;
+  virtual void shadeHalf(const RigRunner& rig, std::span<const PointAndNormal> points, std::span<const float> wrap,
+                         std::span<RigRunner::Shaded> out) = 0;
 };
 
 /// Error from ObjectLighting::create.

@@ -84,6 +84,18 @@ void RigTally::compare(Frame& frame, std::span<const RigRunner::Shaded> shaded, 
   if (followsOn) frame.jump = jump;
 }
 
+void RigTally::addHalf(std::span<const RigRunner::Shaded> shaded, std::span<const RigRunner::Shaded> half) {
+  double squares = 0;
+  for (std::size_t i = 0; i < shaded.size(); ++i) {
+    for (int c = 0; c < 3; ++c) {
+      const double change = static_cast<double>(half[i].rig[c]) - static_cast<double>(shaded[i].rig[c]);
+      squares += square(change);
+      halfMax_ = std::max(halfMax_, std::abs(change));
+    }
+  }
+  frames_.back().halfSquares = squares;
+}
+
 double RigTally::totalError(std::size_t frame) const { return std::sqrt(frames_[frame].totalSquares); }
 
 void RigTally::addTimes(RigReport& out) const {
@@ -112,6 +124,7 @@ void RigTally::addFrames(RigReport& out, const TallyContext& context) const {
   const double scale = context.meanIrradiance > 0 ? 1 / context.meanIrradiance : 0;
   const double channels = 3 * static_cast<double>(samples_), count = static_cast<double>(frames_.size());
   double spatial = 0, total = 0;
+  std::optional<double> half;
   for (std::size_t f = 0; f < frames_.size(); ++f) {
     const Frame& from = frames_[f];
     RigFrame& frame = out.frames.emplace_back();
@@ -130,6 +143,7 @@ void RigTally::addFrames(RigReport& out, const TallyContext& context) const {
     frame.near = from.near;
     spatial += from.spatialSquares / channels / count;
     total += from.totalSquares / channels / count;
+    if (from.halfSquares) half = half.value_or(0) + *from.halfSquares / channels / count;
     out.shVectors += from.shVectors;  // counts are summed first: their mean is then exact where all are alike
     out.nearLights += static_cast<double>(from.near.size());
     out.modelledNanoseconds += frame.modelledNanoseconds / count;
@@ -139,6 +153,7 @@ void RigTally::addFrames(RigReport& out, const TallyContext& context) const {
   out.nearLights /= count;
   out.spatial = {scale * std::sqrt(spatial), scale * spatialMax_};
   out.total = {scale * std::sqrt(total), scale * totalMax_};
+  if (half) out.halfFloat = ErrorFigures{scale * std::sqrt(*half), scale * halfMax_};
   out.estimate = pooled(out.frames, &RigFrame::estimate);
   out.totalEstimate = pooled(out.frames, &RigFrame::totalEstimate);
 }

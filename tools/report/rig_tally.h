@@ -25,6 +25,9 @@ class RigTally {
   void addFrame(const RigRunner& rig, std::span<const RigRunner::Shaded> shaded, const Truth& truth,
                 std::span<const Rgb> sh, std::span<const float> wrap, bool followsOn);
 
+  /// The last frame with coefficients in half floats, beside the same in 32 bits.
+  void addHalf(std::span<const RigRunner::Shaded> shaded, std::span<const RigRunner::Shaded> half);
+
   /// The error that the last frame's budget left the rig to aim at.
   void grant(float error) { frames_.back().granted = error; }
   std::optional<float> granted(std::size_t frame) const { return frames_[frame].granted; }
@@ -36,6 +39,7 @@ class RigTally {
 
  private:
   struct Frame {
+    std::optional<double> halfSquares;            // of what half floats change
     double spatialSquares = 0, totalSquares = 0;  // summed over samples and channels [W/m2]^2
     std::optional<float> estimate, totalEstimate, granted;
     std::optional<double> jump;
@@ -55,7 +59,7 @@ class RigTally {
   LightLog lights_;
   std::vector<FitTimes> fitTimes_;
   std::vector<double> shadeTimes_;  // us, all samples
-  double spatialMax_ = 0, totalMax_ = 0, condition_ = 1;
+  double spatialMax_ = 0, totalMax_ = 0, halfMax_ = 0, condition_ = 1;
   std::size_t bytes_ = 0, samples_ = 0;
   std::vector<Rgb> spatialError_;           // rig - SH at each point
   std::vector<Rgb> error_, previousError_;  // clamped rig + near lights - exact

@@ -4,6 +4,7 @@
 #include <rigel/light_budget.h>
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,6 +44,8 @@ inline constexpr float kMaxErrorTarget = 1;  // as large as the light itself
 inline constexpr LightingTarget kBudgetTarget{LightingTarget::Kind::totalError, 0.02f};
 inline constexpr float kMaxBudget = 1'000'000;  // us
 
+class PointShading;
+
 struct RunOptions {
   std::vector<std::string> scenes;
   std::vector<RigSpec> rigs;
@@ -58,6 +61,8 @@ struct RunOptions {
   std::string lights;  // donor scene of --lights, or ""
   bool images = true;
   int samples = 4096;
+  /// Makes who evaluates a rig at points (RigRunner::setShading); empty: the CPU.
+  std::function<std::unique_ptr<PointShading>()> shading;
 };
 
 /// The first value that no run can serve, named by its option: not finite, or outside its range. For who fills

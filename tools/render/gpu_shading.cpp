@@ -1,0 +1,65 @@
+#include "render/gpu_shading.h"
+
+#include "render/point_shader.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace rigel::tools {
+namespace {
+
+/// A PointShader that grows.
+class GrowingShader {
+ public:
+  GrowingShader(const GpuContext& context, RigStorage storage) : context_(&context), storage_(storage) {}
+
+  double shade(const RigRunner& rig, std::span<const PointAndNormal> points, std::span<const float> wraps,
+               std::span<RigRunner::Shaded> out) {
+    if (points.empty()) return 0;
+    if (!shader_ || shader_->mostPoints() < points.size() || !shader_->knowsWraps(wraps)) make(rig, points, wraps);
+    const auto microseconds = shader_->shade(rig, points, wraps, out);
+    if (!microseconds) throw std::runtime_error(microseconds.error().line());
+    return *microseconds;
+  }
+
+ private:
+  void make(const RigRunner& rig, std::span<const PointAndNormal> points, std::span<const float> wraps) {
+    for (const float wrap : wraps)
+      if (std::ranges::find(wraps_, wrap) == wraps_.end()) wraps_.push_back(wrap);
+    const std::size_t most = std::max(points.size(), shader_ ? shader_->mostPoints() : 0);
+    auto shader = PointShader::create(*context_, rig, wraps_, storage_, most);
+    if (!shader) throw std::runtime_error(shader.error().line());
+    shader_ = *std::move(shader);
+  }
+
+  const GpuContext* context_;
+  RigStorage storage_;
+  std::vector<float> wraps_;
+  std::optional<PointShader> shader_;
+};
+
+class GpuShading final : public PointShading {
+ public:
+  explicit GpuShading(const GpuContext& context)
+      : whole_(context, RigStorage::float32), half_(context, RigStorage::float16) {}
+
+  double shade(const RigRunner& rig, std::span<const PointAndNormal> points, std::span<const float> wrap,
+               std::span<RigRunner::Shaded> out) override {
+    return whole_.shade(rig, points, wrap, out);
+  }
+  void shadeHalf(const RigRunner& rig, std::span<const PointAndNormal> points, std::span<const float> wrap,
+                 std::span<RigRunner::Shaded> out) override {
+    half_.shade(rig, points, wrap, out);
+  }
+
+ private:
+  GrowingShader whole_, half_;
+};
+
+}  // namespace
+
+std::unique_ptr<PointShading> makeGpuShading(const GpuContext& context) {
+  return std::make_unique<GpuShading>(context);
+}
+
+}  // namespace rigel::tools
