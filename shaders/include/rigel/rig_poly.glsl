@@ -4,9 +4,10 @@
 // vectors, so that K may change from frame to frame and from object to object. What shapes the polynomial comes from the
 // rig, or from what an entry shader defines instead; of specialisation constants nothing but the sums is left.
 //   RIGEL_VECTORS(rig)  K > 0
-//   RIGEL_TERM(rig, k)  from * 4 + axis: monomial k is monomial `from` times coordinate `axis`; k is a constant
+//   RIGEL_TERM(rig, k)  from * 4 + axis: monomial k is monomial `from` times coordinate `axis`
 //   RIGEL_OFFSET(rig)   vec4 where the coefficients begin: 0 for a uniform block that holds one rig
-// With RIGEL_POLY_LOOP the sum is a loop to K: for software devices, which take both sides of every condition.
+// With RIGEL_POLY_LOOP the sum is a loop to K: for software devices, which take both sides of every condition. Up to 16
+// monomials are still made before it; more are made on the way, or compiling would take minutes.
 #ifndef RIGEL_RIG_POLY_GLSL
 #define RIGEL_RIG_POLY_GLSL
 
@@ -71,8 +72,19 @@
   RIGEL_POLY_FROM_8(DO, ADD) RIGEL_POLY_FROM_16(DO, ADD) RIGEL_POLY_FROM_24(DO, ADD)                     \
   RIGEL_POLY_FROM_32(DO, ADD) RIGEL_POLY_FROM_40(DO, ADD) RIGEL_POLY_FROM_48(DO, ADD)
 
-#define RIGEL_POLY_PHI ((RIGEL_POLY_MAX + 7) / 8 * 8)
-#ifdef RIGEL_POLY_LOOP
+#define RIGEL_POLY_PHI ((RIGEL_POLY_MAX + 8) / 8 * 8)
+#if defined(RIGEL_POLY_LOOP) && RIGEL_POLY_MAX > 16
+#define RIGEL_POLY_SUM(ADD)                    \
+  phi[0] = 1.0;                                \
+  int at = RIGEL_OFFSET(rig);                  \
+  int k = 0;                                   \
+  do {                                         \
+    ADD(at, phi[k])                            \
+    at += RIGEL_SH_VEC4;                       \
+    ++k;                                       \
+    RIGEL_MONOMIAL(ADD, k)                     \
+  } while (k < RIGEL_VECTORS(rig));
+#elif defined(RIGEL_POLY_LOOP)
 #define RIGEL_POLY_SUM(ADD)                    \
   phi[0] = 1.0;                                \
   RIGEL_POLY_ALL(RIGEL_MONOMIAL, ADD)          \
