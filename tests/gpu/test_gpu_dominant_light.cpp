@@ -21,7 +21,9 @@ tools::ShaderFunction shader() {
   source.inputs = {"vec3 c1", "vec3 c2", "vec3 c3"};
   source.outputs = {"vec3 direction", "vec3 irradiance"};
   source.body =
-      "RigelDominantLight light = rigel_dominantLight(c1, c2, c3);\n"
+      "vec3 sh[RIGEL_SH_COUNT];\nfor (int i = 0; i < RIGEL_SH_COUNT; ++i) sh[i] = vec3(7.0);\n"
+      "sh[1] = c1; sh[2] = c2; sh[3] = c3;\n"
+      "RigelDominantLight light = rigel_dominantLight(sh);\n"
       "direction = light.direction; irradiance = light.irradiance;";
   return shaderFunction(source);
 }

@@ -84,9 +84,9 @@ Case hardSphere(Random& random, double distance, float wrap) {
   return caseOf(light, at.receiver, normalAt(random, at, angle), wrap);
 }
 
-tools::ShaderFunction shader(const std::string& call) {
+tools::ShaderFunction shader(const std::string& call, const std::string& defines = "") {
   tools::ShaderFunctionSource source;
-  source.prelude = "#include <rigel/near_light.glsl>\n";
+  source.prelude = defines + "#include <rigel/near_light.glsl>\n";
   source.inputs = kNearInputs;
   source.outputs = {"vec3 e"};
   source.body = kNearBody + "e = " + call + ";";
@@ -325,6 +325,34 @@ TEST(GpuNearLight, Corrector) {
                         return c;
                       }),
             nearWrap(wrap), kAgreement);
+  }
+}
+
+TEST(GpuNearLight, KindsThatAreAbsentChangeNothing) {
+  // What is left when all other kinds are compiled out gives the same to the last bit.
+  Random random(416);
+  const std::string kinds[] = {"kGpuDirectional", "kGpuPoint", "kGpuSpot", "kGpuSphere"};
+  for (int kind = 0; kind < 4; ++kind) {
+    for (const float wrap : {0.0f, 0.5f}) {
+      std::vector<float> rows;
+      for (int k = 0; k < 10'000; ++k) {
+        const Placement at = place(random, 2);
+        const double ratio = random.uniform(0.01, 1.2);
+        const NearLight light = kind == 0   ? nearLight(DirectionalLight{random.direction(), {1, 2, 3}})
+                                : kind == 1 ? nearLight(pointAt(random, at, ratio))
+                                : kind == 2 ? nearLight(spotAt(random, at, ratio))
+                                            : nearLight(sphereAt(at, ratio));
+        append(rows, gpuNearLight(light));
+        append(rows, nearWrap(wrap));
+        append(rows, at.receiver);
+        append(rows, random.direction());
+      }
+      const std::string defines = "#define RIGEL_HAS_NEAR(kind) ((kind) == " + kinds[kind] + ")\n" +
+                                  "#define RIGEL_HAS_NEAR_WRAP " + (wrap == 0 ? "false" : "true") + "\n";
+      tools::ShaderFunction all = nearShader();
+      tools::ShaderFunction alone = shader("rigel_nearIrradiance(light, p, n, wrap)", defines);
+      EXPECT_EQ(run(all, rows), run(alone, rows)) << kinds[kind] << ", wrap " << wrap;
+    }
   }
 }
 

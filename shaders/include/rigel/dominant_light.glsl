@@ -3,6 +3,7 @@
 #define RIGEL_DOMINANT_LIGHT_GLSL
 
 #include "rigel/float_pair.glsl"
+#include "rigel/sh.glsl"
 #include "rigel/shader_constants.h"
 
 struct RigelDominantLight {
@@ -34,5 +35,8 @@ RigelDominantLight rigel_dominantLight(vec3 c1, vec3 c2, vec3 c3) {
   }
   return light;
 }
+
+/// From pi times radiance SH, a rig's at a point (rigel_rigSh) for one; only its linear band is computed.
+RigelDominantLight rigel_dominantLight(vec3 c[RIGEL_SH_COUNT]) { return rigel_dominantLight(c[1], c[2], c[3]); }
 
 #endif
