@@ -1,6 +1,6 @@
 // Sphere lights at a point, in float. Only the vector to the light and d^2 - r^2 are formed in double: they decide how
-// far a light that nearly touches reaches beyond the horizon. Plain float is 3e-4 of the peak off there; a pair of
-// floats (the rounding errors of differences and squares kept, by fma) is as good as double where there is none.
+// far a light that nearly touches reaches beyond the horizon. Plain float is 3e-4 of the peak off there; pairs of
+// floats are as good as double where there is none (float_pair.glsl).
 #include <rigel/near_light.h>
 #include <rigel/project.h>
 #include <rigel/shader_near_cap.h>
