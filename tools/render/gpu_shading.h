@@ -6,7 +6,8 @@
 
 namespace rigel::tools {
 
-/// Shaders are made at the first points and whenever more, or other wraps, come. `context` must outlive it.
+/// Times are net of reading points and writing results. Shaders are made at the first points and whenever more, or
+/// other wraps, come. `context` must outlive it.
 std::unique_ptr<PointShading> makeGpuShading(const GpuContext& context);
 
 }  // namespace rigel::tools

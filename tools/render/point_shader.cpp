@@ -108,7 +108,7 @@ void PointShader::dispatch(const GpuPipeline& pipeline, const Batch& batch) {
   constants.nearCount = place_.nearCount;
   commands_.bind(pipeline, buffers_.bindings(0), offsets);
   commands_.push(std::as_bytes(std::span(&constants, 1)));
-  commands_.dispatch((batch.count + kGroup - 1) / kGroup);
+  commands_.dispatch((batch.count + kGroup - 1) / kGroup, static_cast<std::uint32_t>(repeats_));
 }
 
 /// All batches, by their own pipelines or another. [us]
@@ -135,9 +135,10 @@ Result<double> PointShader::emptyMicroseconds() {
 }
 
 Result<double> PointShader::shade(const RigRunner& rig, std::span<const PointAndNormal> points,
-                                  std::span<const float> wraps, std::span<RigRunner::Shaded> out) {
+                                  std::span<const float> wraps, std::span<RigRunner::Shaded> out, int repeats) {
   if (points.size() > mostPoints()) return Error{"more points than room was made for", rig.rig().spec().text};
   effects_ = {};
+  repeats_ = repeats;
   buffers_.begin();
   place_ = buffers_.pack(0, rig);
   fillPoints(points, wraps);

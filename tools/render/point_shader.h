@@ -18,9 +18,10 @@ class PointShader {
   std::size_t mostPoints() const;
   bool knowsWraps(std::span<const float> wraps) const;
 
-  /// Irradiance [W/m2] at points with their wraps, by the rig as it is fitted. Returns the device's microseconds.
+  /// Irradiance [W/m2] at points with their wraps, by the rig as it is fitted. Returns the device's microseconds; all
+  /// is done `repeats` times at once, for who wants the time of few points without that of starting.
   Result<double> shade(const RigRunner& rig, std::span<const PointAndNormal> points, std::span<const float> wraps,
-                       std::span<RigRunner::Shaded> out);
+                       std::span<RigRunner::Shaded> out, int repeats = 1);
 
   /// The last points once more. Returns the device's microseconds.
   Result<double> again();
@@ -70,6 +71,7 @@ class PointShader {
   Effects lightKinds_;
   std::vector<float> wraps_;
   Effects effects_;
+  int repeats_ = 1;
   ShadingPlace place_;
   std::vector<Batch> batches_;
 };

@@ -155,7 +155,8 @@ struct Report {
   std::string commandLine;
   int bands = 3;
   double exposure = 1;
-  double rate = 30;  // frames a second
+  double rate = 30;    // frames a second
+  std::string device;  // that shaded: a GPU's name, or "" for the CPU
   std::vector<SceneReport> scenes;
 };
 

@@ -36,6 +36,7 @@ class Writer {
             {"bands", report.bands},
             {"exposure", number(report.exposure, "exposure")},
             {"rate", number(report.rate, "rate")},
+            {"device", report.device.empty() ? Json(nullptr) : Json(report.device)},
             {"verdict_slack", kVerdictSlack},
             {"usable_error", kUsableError},
             {"effects", std::move(effects)},

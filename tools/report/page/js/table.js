@@ -15,6 +15,7 @@ const columns = [
   {key: 'shade', title: 'Shade', unit: 'ns/point', get: (rig) => rig.shade_ns_per_point, format: figure},
   {key: 'modelled', title: 'Modelled', unit: 'ns/point', get: (rig) => rig.modelled_ns_per_point, format: figure, hint: 'Shading a point by the cost model, which depends on no clock'},
   {key: 'bytes', title: 'Size', unit: 'bytes', get: (rig) => rig.bytes, format: count, hint: 'The float32 coefficients'},
+  {key: 'half', title: 'Half floats add', unit: '%', get: (rig) => rig.half_float ? rig.half_float.rms : null, format: (value) => value === null ? '–' : figure(100 * value), device: true, hint: 'RMS of what coefficients in half floats would change, at half the size'},
   {key: 'condition', title: 'Condition', get: (rig) => rig.condition, format: figure, hint: 'Worst condition number of the fit; 1 where nothing is solved'},
 ];
 
@@ -24,7 +25,7 @@ function stageTimes(rig) {
 }
 
 function rigTable(object, store) {
-  const shown = columns.filter((column) => !column.motion || object.truth.length > 1);
+  const shown = columns.filter((column) => (!column.motion || object.truth.length > 1) && (!column.device || report.device));
   const order = {key: null, down: false};
   const body = element('tbody');
   const picks = new Map();
