@@ -30,7 +30,7 @@ class RunArguments {
   std::string near_;
   std::optional<float> error_, totalError_, budget_;
   std::optional<float> wrap_;
-  int bands_ = 3;
+  int bands_ = kDefaultBands;
   float exposure_ = 1;
   std::string lights_;
 };
