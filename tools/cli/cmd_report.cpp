@@ -3,6 +3,7 @@
 #include "cli/interrupt.h"
 #include "cli/progress_line.h"
 #include "cli/run_arguments.h"
+#include "render/gpu_shading.h"
 #include "report/made_directory.h"
 #include "report/report_json.h"
 #include "report/report_text.h"
@@ -23,6 +24,7 @@ struct Arguments {
   std::vector<std::string> scenes;
   std::string rigs = kDefaultRigs;
   RunArguments run;
+  std::string device = "cpu";
   bool noImages = false;
   bool json = false;
   bool quiet = false;
@@ -48,13 +50,21 @@ std::string commandLine(const Arguments& a) {
   for (const std::string& scene : a.scenes) line += " " + scene;
   line += " --rig \"" + a.rigs + "\"";
   line += a.run.text();
+  if (a.device != "cpu") line += " --device " + a.device;
   if (a.noImages) line += " --no-images";
   return line + " --out " + a.out;
 }
 
 int runReportCommand(const Arguments& arguments) {
-  const auto options = parse(arguments);
+  auto options = parse(arguments);
   if (!options) return fail(kExitBadUse, options.error().line());
+  std::optional<GpuContext> device;  // outlives what shades with it
+  if (arguments.device == "gpu") {
+    auto context = GpuContext::create();
+    if (!context) return fail(kExitBadInput, context.error().line());
+    device = *std::move(context);
+    options->shading = [&] { return makeGpuShading(*device); };
+  }
 
   rememberInterrupts();
   const std::filesystem::path out(arguments.out);
@@ -74,6 +84,7 @@ int runReportCommand(const Arguments& arguments) {
   if (!report) return fail(kExitBadInput, report.error().line());
   report->version = RIGEL_VERSION;
   report->commandLine = commandLine(arguments);
+  if (device) report->device = device->name();
 
   if (const auto error = (*images)->putInPlace()) return fail(kExitBadInput, error->line());
   const auto written = writeReport(*report, out);
@@ -97,6 +108,10 @@ Command addReport(CLI::App& root) {
       ->required();
   app->add_option("--rig", arguments->rigs, "Rig specs, separated by ';'")->capture_default_str();
   arguments->run.add(*app);
+  app->add_option("--device", arguments->device,
+                  "Who evaluates rigs at points and in pictures: cpu, or gpu (Vulkan), which also measures half floats")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"cpu", "gpu"}));
   app->add_flag("--no-images", arguments->noImages, "Leave the pictures out");
   app->add_flag("--json", arguments->json, "Print report.json on standard output instead of the table");
   app->add_flag("--quiet", arguments->quiet, "No progress on standard error");
