@@ -137,18 +137,28 @@ std::vector<double> RigReference::axisWeights(int axis, double u) const {
 }
 
 RigReference::Basis RigReference::tensor(const Point& u, const Point& absolute) const {
-  const std::array<std::vector<double>, 3> w{axisWeights(0, u[0]), axisWeights(1, u[1]), axisWeights(2, u[2])};
+  // A weight's terms are its own and, to first order, those of the coordinate that it depends on.
+  constexpr double kStep = 1e-5;
+  std::array<std::vector<double>, 3> w, size;
+  for (int a = 0; a < 3; ++a) {
+    w[a] = axisWeights(a, u[a]);
+    const std::vector<double> before = axisWeights(a, u[a] - kStep), after = axisWeights(a, u[a] + kStep);
+    for (std::size_t i = 0; i < w[a].size(); ++i) {
+      const double slope = std::max(std::abs(after[i] - w[a][i]), std::abs(w[a][i] - before[i])) / kStep;
+      size[a].push_back(std::abs(w[a][i]) + slope * absolute[a]);
+    }
+  }
   Basis out;
-  for (double wz : w[2])
-    for (double wy : w[1])
-      for (double wx : w[0]) {
-        const double b = wx * wy * wz;
+  for (std::size_t k = 0; k < w[2].size(); ++k)
+    for (std::size_t j = 0; j < w[1].size(); ++j)
+      for (std::size_t i = 0; i < w[0].size(); ++i) {
+        const double b = w[2][k] * w[1][j] * w[0][i], sizeOfB = size[2][k] * size[1][j] * size[0][i];
         out.value.push_back(b);
-        out.absolute.push_back(std::abs(b));
+        out.absolute.push_back(sizeOfB);
         for (int a = 0; a < 3; ++a) {
           if (rig_.axes()[a].kind != AxisModel::Kind::gradient) continue;
           out.value.push_back(b * u[a]);
-          out.absolute.push_back(std::abs(b) * absolute[a]);
+          out.absolute.push_back(sizeOfB * absolute[a]);
         }
       }
   return out;

@@ -136,7 +136,9 @@ std::vector<float> runPacked(tools::ShaderFunction& function, const RigRun<B>& r
   constexpr int kBefore = 5;
   const auto nan = std::numeric_limits<float>::quiet_NaN();
   const int bound = packRigBound(run_.rig, B, paddedVectors);
-  std::vector<GpuVec4> buffer(kBefore + bound + packGaussNodesBound(run_.rig), GpuVec4{nan, nan, nan, nan});
+  // Always of one size, or lavapipe compiles anew.
+  constexpr std::size_t kTexels = 10240;
+  std::vector<GpuVec4> buffer(kTexels, GpuVec4{nan, nan, nan, nan});
   const GpuRig packed = packRig<B>(run_.rig, run_.frame, run_.coefficients, {},
                                    {kBefore, paddedVectors, kBefore + bound}, std::span<GpuVec4>(buffer));
   packGaussNodes(run_.rig, std::span(buffer).subspan(kBefore + bound));

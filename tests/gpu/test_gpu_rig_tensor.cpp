@@ -28,6 +28,11 @@ const std::vector<std::string> kTensors = {"gradient",
 const std::vector<std::string> kGausses = {"gradient@gauss", "lattice:3x2x2@gauss", "lattice:8x4x2@gauss",
                                            "mixed:l3,g,c@gauss", "lattice:5x3x1@gauss"};
 
+// Largest error of the shader, whatever the twin's, which is worse far from its frame's origin. 3.4e-5 is the worst
+// measured: @gauss on the thread, whose coordinates across are off by 1e-3 and weights by the square of it; elsewhere
+// 4e-6.
+constexpr double kShaderError = 5e-5;
+
 template <int B>
 void checkSpecs(const std::string& name, const std::string& kind, const std::vector<std::string>& specs, bool wantsSh) {
   Random random(31 + B);
@@ -35,21 +40,23 @@ void checkSpecs(const std::string& name, const std::string& kind, const std::vec
       wantsSh ? "rigel_rigSh(texels, shared_.rig, p, sh);" : "e = rigel_rigIrradiance(texels, shared_.rig, p, y);";
   auto function = shaderFunction(rigSource(B, only(kind), body, wantsSh));
   TwinCheck check(name + ", " + std::to_string(B) + " bands");
-  const int points = 1 + 100000 / static_cast<int>(specs.size() * rigBodies().size() * std::size(kFrameDistances));
+  constexpr int kSets = 3;  // of body and distance, a spec
+  const int points = 1 + 100000 / static_cast<int>(kSets * specs.size());
   for (const std::string& spec : specs)
-    for (const RigBody& rigBody : rigBodies()) {
+    for (int set = 0; set < kSets; ++set) {
+      const RigBody& rigBody = rigBodies()[random.index(static_cast<int>(rigBodies().size()))];
+      const double distance = kFrameDistances[random.index(std::size(kFrameDistances))];
       const Rig rig = rigOn(spec, rigBody, random);
-      for (const double distance : kFrameDistances) {
-        const RigRun<B> run(spec + " on the " + rigBody.name, rig, randomFrame(random, distance), rig.shVectors(),
-                            points, random);
-        const std::vector<float> results = runPacked(function, run);
-        if (wantsSh)
-          run.checkSh(results, check);
-        else
-          run.checkIrradiance(results, check);
-      }
+      const RigRun<B> run(spec + " on the " + rigBody.name, rig, randomFrame(random, distance), rig.shVectors(), points,
+                          random);
+      const std::vector<float> results = runPacked(function, run);
+      if (wantsSh)
+        run.checkSh(results, check);
+      else
+        run.checkIrradiance(results, check);
     }
   check.expectWithinTwice();
+  EXPECT_LE(check.gpuError(), kShaderError);
 }
 
 template <int B>
