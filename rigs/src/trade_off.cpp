@@ -156,7 +156,8 @@ void TradeOff::build(const LightRows& rows, std::span<const float> damping, int 
   if (levels_.size() < levelCount_) levels_.resize(levelCount_);
   for (int n = 0; n <= most; ++n) {
     Level& level = levels_[n];
-    const float error = n > 0 ? sorted_[n - 1] / (1 + kWindow) : largest;
+    // At level 0 not even the largest counts.
+    const float error = n > 0 ? sorted_[n - 1] / (1 + kWindow) : largest / (1 - kActivation);
     level.log2 = largest > 0 ? std::log2(std::max({error, floor_, kLeastLevel * largest})) : 0;
     weightsAt(level.log2, weights_);
     farError(rows, damping, weights_, scratch_);
