@@ -20,19 +20,12 @@ ObjectReport withNear(const std::string& kind, float weight) {
   return object;
 }
 
-LightSet oneOfEach() {
-  LightSet lights;
-  lights.add(DirectionalLight{{0, -1, 0}, {1, 1, 1}});
-  lights.add(PointLight{{2, 2, 0}, {1, 1, 1}});
-  lights.add(SpotLight{{0, 2, 2}, {0, -1, -1}, {1, 1, 1}});
-  lights.add(SphereLight{{-2, 1, 0}, 0.2f, {5, 5, 5}});
-  return lights;
-}
-
 TEST(ReportEffects, NameWhatTheSceneHasSorted) {
   EXPECT_THAT(effectsOf({}, {}, {}, {}), IsEmpty());
-  EXPECT_THAT(effectsOf(oneOfEach(), {}, {}, {}),
-              ElementsAre("light.directional", "light.point", "light.sphere", "light.spot"));
+  LightSet lights;
+  lights.add(SpotLight{{0, 2, 2}, {0, -1, -1}, {1, 1, 1}});
+  lights.add(SphereLight{{-2, 1, 0}, 0.2f, {5, 5, 5}});
+  EXPECT_THAT(effectsOf(lights, {}, {}, {}), ElementsAre("light.sphere", "light.spot"));
   const float wraps[] = {0, 0.5f};
   EXPECT_THAT(effectsOf({}, wraps, {}, {}), ElementsAre("material.wrap"));
   EXPECT_THAT(effectsOf({}, std::span(wraps).first(1), {}, {}), IsEmpty());
