@@ -78,7 +78,7 @@ bool callsFor(LightingStage stage, Effects effects, const LightingOptions& wante
     case LightingStage::project:
     case LightingStage::fit:
       return chooses || effects.hasAny({Effect::rig_auto, Effect::rig_constant, Effect::rig_poly, Effect::rig_invquad,
-                                        Effect::rig_tensor});
+                                        Effect::rig_tensor, Effect::rig_texture});
   }
   return false;
 }

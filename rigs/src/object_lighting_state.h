@@ -43,7 +43,8 @@ struct ObjectLighting<B>::State {
   State(Rig r, const RigShape& rest, const LightingOptions& o)
       : options(o), rig(std::move(r)), check(rig, rest, options.wrap, lighting::measuresTotal(options)) {
     anchors.assign(rig.anchors().begin(), rig.anchors().end());
-    anchors.insert(anchors.end(), check.extraAnchors().begin(), check.extraAnchors().end());
+    measured = chooses() || options.estimate;
+    if (measured) anchors.insert(anchors.end(), check.extraAnchors().begin(), check.extraAnchors().end());
     slots = chooses() && options.nearSlots == 0 ? kMaxNearLights : options.nearSlots;
     nearFar.options().slots = slots;
     // With slots to spare a light may take its time to leave: the rig has it before it is gone.
@@ -65,7 +66,7 @@ struct ObjectLighting<B>::State {
   void setPose(const RigPose& pose, const RigFrame& worldFromRig) noexcept {
     frame = worldFromRig;
     rig.setPose({pose.box, pose.anchors.first(rig.anchors().size())});
-    check.setPose(rig, pose.anchors, worldFromRig);
+    if (measured) check.setPose(rig, pose.anchors, worldFromRig);
   }
 
   void boundLights(const LightSet& lights) {
@@ -114,7 +115,7 @@ struct ObjectLighting<B>::State {
     lighting::finish(probe, LightingStage::fit);
     frameMean = 0;
     means.assign(lights.size(), 0);
-    if (options.estimate) {
+    if (options.estimate && measured) {
       estimateFixed(lights, *far);
       lighting::finish(probe, LightingStage::estimate);
     }
@@ -322,6 +323,7 @@ struct ObjectLighting<B>::State {
   LightingOptions options;
   Rig rig;
   SurfaceCheck<B> check;
+  bool measured = false;  // errors are, at the check's own anchors
   RigFrame frame;
   NearFar nearFar;
   TradeOff tradeOff;

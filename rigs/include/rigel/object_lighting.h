@@ -45,7 +45,7 @@ struct LightingOptions {
                           // object's own mean in the frame
   float wrap = 0;         // of the object's materials
   int points = 10000;     // shaded a frame, for budgets
-  bool estimate = false;  // wanted even where the choice does not need it
+  bool estimate = false;  // wanted even where the choice does not need it; decided when it is made
   CostModel cost;
 };
 
