@@ -1,6 +1,8 @@
 // What every shader that lights an object shares: bindings, specialisation, and the sum of rig, high band and near
 // lights. Effects (shader_effects.h) are specialisation constants, all off unless asked for: what a scene lacks is
-// folded away by the driver. RIGEL_WITHOUT_x (highBand, near, texture) leaves code out altogether; tests compare.
+// folded away by the driver. Tests compare with shaders that never had an effect: they declare its constant as false
+// (RIGEL_EFFECTS_DECLARED), define RIGEL_HAS_x accordingly and leave whole parts out by RIGEL_WITHOUT_x (highBand, near,
+// texture).
 #ifndef RIGEL_ENTRY_SHADE_OBJECT_GLSL
 #define RIGEL_ENTRY_SHADE_OBJECT_GLSL
 
@@ -8,9 +10,11 @@
 #include "rigel/shader_effects.h"
 #include "rigel/shader_types.h"
 
+#ifndef RIGEL_EFFECTS_DECLARED
 #define RIGEL_EFFECT(name, id) layout(constant_id = id) const bool name = false;
 RIGEL_EFFECTS(RIGEL_EFFECT)
 #undef RIGEL_EFFECT
+#endif
 
 // What an object's rig is made of, where it is known when the pipeline is made; 0 vectors or nodes: as GpuRig says.
 layout(constant_id = 40) const int kVectors = 0;
@@ -44,8 +48,12 @@ bool hasNear(int kind) {
   if (kind == kGpuSpot) return light_near_spot;
   return light_near_sphere;
 }
+#ifndef RIGEL_HAS_KIND
 #define RIGEL_HAS_KIND(kind) hasKind(kind)
+#endif
+#ifndef RIGEL_HAS_NEAR
 #define RIGEL_HAS_NEAR(kind) hasNear(kind)
+#endif
 #define RIGEL_HAS_NEAR_WRAP light_near_wrap
 
 #define RIGEL_VECTORS(rig) (kVectors > 0 ? kVectors : rig.vectors)

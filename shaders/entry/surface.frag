@@ -5,6 +5,7 @@
 
 layout(location = 0) in vec3 worldPosition;
 layout(location = 1) in vec3 worldNormal;
+layout(location = 2) flat in vec3 baseColour;  // layers complain of outputs that nobody takes
 layout(location = 3) flat in uint triangleNumber;
 
 layout(location = 0) out vec4 position;

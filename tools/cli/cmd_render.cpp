@@ -3,6 +3,7 @@
 #include "cli/interrupt.h"
 #include "cli/progress_line.h"
 #include "cli/run_arguments.h"
+#include "cli/user_cache.h"
 #include "picture/image_io.h"
 #include "picture/tone_map.h"
 #include "render/scene_render.h"
@@ -11,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -32,6 +34,7 @@ struct Arguments {
   bool perVertex = false;
   std::string against;
   bool validate = false;
+  bool noPipelineCache = false;
   bool json = false;
   bool quiet = false;
   std::string out;
@@ -78,8 +81,16 @@ std::optional<Error> write(const RenderResult& result, const std::filesystem::pa
 /// What is said of all frames together.
 class Summary {
  public:
-  Summary(const Arguments& arguments, const std::string& device)
-      : json_{{"scene", arguments.scene}, {"rig", arguments.rig}, {"device", device}} {}
+  Summary(const Arguments& arguments, const GpuContext& context)
+      : json_{{"scene", arguments.scene}, {"rig", arguments.rig}, {"device", context.name()}} {}
+
+  /// `deviceMilliseconds`: to make the device.
+  void start(const SceneRender& render, const GpuContext& context, double deviceMilliseconds) {
+    json_["load_ms"] = deviceMilliseconds + render.loadMilliseconds();
+    json_["pipelines"] = render.pipelines();
+    for (const auto* notes : {&context.notes(), &render.notes()})
+      notes_.insert(notes_.end(), notes->begin(), notes->end());
+  }
 
   void add(const RenderResult& result, const std::string& file) {
     Json row{{"frame", result.number},
@@ -87,9 +98,18 @@ class Summary {
              {"file", file},
              {"frame_ms", result.frameMilliseconds},
              {"shading_ms", result.frameMilliseconds - result.unlitMilliseconds}};
+    row["rigs"] = Json::array();
+    for (const RigState& rig : result.rigs)
+      row["rigs"].push_back({{"object", rig.object}, {"sh_vectors", rig.shVectors}, {"near_lights", rig.near.size()}});
+    if (frames_.empty()) json_["first_frame_ms"] = result.drawMilliseconds;
     if (result.difference) {
       const Difference& d = *result.difference;
-      row.update({{"rms", d.rms}, {"max", d.max}, {"p99", d.p99}, {"covered", d.covered}, {"compared", d.compared}});
+      row.update({{"rms", d.rms},
+                  {"max", d.max},
+                  {"p99", d.p99},
+                  {"covered", d.covered},
+                  {"compared", d.compared},
+                  {"apart", d.apart}});
       squares_ += d.rms * d.rms;
       max_ = std::max(max_, d.max);
       p99_ = std::max(p99_, d.p99);
@@ -102,7 +122,7 @@ class Summary {
       if (result.stages.stages[s]) stages_[s].push_back(*result.stages.stages[s]);
   }
 
-  Json json(int pipelines) const {
+  Json json() const {
     Json out = json_;
     if (compared_)
       out.update({{"rms", std::sqrt(squares_ / static_cast<double>(frames_.size()))}, {"max", max_}, {"p99", p99_}});
@@ -113,7 +133,7 @@ class Summary {
     out["stages"] = Json::object();
     for (int s = 0; s < FitTimes::kStages; ++s)
       if (!stages_[s].empty()) out["stages"][FitTimes::kNames[s]] = median(stages_[s]);
-    out["pipelines"] = pipelines;
+    out["notes"] = notes_;
     out["frames"] = frames_;
     return out;
   }
@@ -126,6 +146,7 @@ class Summary {
 
   Json json_;
   Json frames_ = Json::array();
+  std::vector<std::string> notes_;
   Effects effects_;
   std::vector<double> milliseconds_;
   std::array<std::vector<double>, FitTimes::kStages> stages_;
@@ -146,6 +167,7 @@ void print(const Json& summary) {
   std::string effects;
   for (const Json& effect : summary["effects"]) effects += (effects.empty() ? "" : ", ") + effect.get<std::string>();
   fmt::print("{}; effects: {}\n", summary["device"].get<std::string>(), effects);
+  for (const Json& note : summary["notes"]) fmt::print("note: {}\n", note.get<std::string>());
 }
 
 int runRender(const Arguments& arguments) {
@@ -154,17 +176,20 @@ int runRender(const Arguments& arguments) {
   rememberInterrupts();
   GpuOptions device;
   device.validation = arguments.validate;
+  if (!arguments.noPipelineCache) device.pipelineCache = userCacheFile("pipelines");
+  const auto start = std::chrono::steady_clock::now();
   auto context = GpuContext::create(device);
   if (!context) return fail(kExitBadInput, context.error().line());
+  const std::chrono::duration<double, std::milli> deviceTime = std::chrono::steady_clock::now() - start;
 
-  Summary summary(arguments, context->name());
-  int pipelines = 0;
+  Summary summary(arguments, *context);
   {
     ProgressLine progress(arguments.quiet);
     progress(0, "loading " + arguments.scene);
     auto render = SceneRender::create(*options, *context);
     if (!render) return fail(kExitBadInput, render.error().line());
-    pipelines = render->pipelines();
+    if (!device.pipelineCache.empty()) context->savePipelineCache();  // what cannot be kept is only slower next time
+    summary.start(*render, *context, deviceTime.count());
     const std::vector<int>& frames = render->frames();
     for (std::size_t f = 0; f < frames.size(); ++f) {
       stopIfInterrupted();
@@ -177,7 +202,7 @@ int runRender(const Arguments& arguments) {
     }
   }
   for (const std::string& message : context->messages()->take()) return fail(kExitBadInput, "Vulkan: " + message);
-  const Json json = summary.json(pipelines);
+  const Json json = summary.json();
   if (arguments.json) {
     fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
   } else {
@@ -214,6 +239,8 @@ Command addRender(CLI::App& root) {
   app->add_option("--against", arguments->against, "Compare with the CPU path (cpu) or exact irradiance (truth)")
       ->check(CLI::IsMember(namesOf(kReferences)));
   app->add_flag("--validate", arguments->validate, "Let Vulkan's validation layer watch; its messages are errors");
+  app->add_flag("--no-pipeline-cache", arguments->noPipelineCache,
+                "Compile every pipeline anew, and keep none for the next run");
   app->add_flag("--json", arguments->json, "Print figures as JSON");
   app->add_flag("--quiet", arguments->quiet, "No progress on standard error");
   app->add_option("--out", arguments->out,
@@ -221,7 +248,12 @@ Command addRender(CLI::App& root) {
       ->required();
   app->footer(
       "The device is the best there is; RIGEL_VULKAN_DEVICE takes another by part of its name. Without a GPU Mesa's\n"
-      "lavapipe does: apt-get install mesa-vulkan-drivers.\n\n"
+      "lavapipe does: apt-get install mesa-vulkan-drivers. What the driver compiled is kept in rigel/pipelines under\n"
+      "XDG_CACHE_HOME (~/.cache), for this device and driver alone; Mesa keeps its own shaders under\n"
+      "MESA_SHADER_CACHE_DIR.\n\n"
+      "--json: load_ms is the device, its pipelines and their first draws; first_frame_ms the first frame until it "
+      "has\n"
+      "been read back; frame_ms the device's time for a frame. No scene, rig or file is counted.\n\n"
       "Examples: rigel render sample:street --out street.png\n"
       "          rigel render sample:dragon --rig poly:6 --near 2 --frames 0:60 --out dragon.png\n"
       "          rigel render sample:stage --rig poly:12 --against truth --json --out stage.exr");

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <numeric>
 
@@ -20,6 +21,16 @@ constexpr float kLightBrightness = 1.2f;
 
 constexpr int kSurveyed = 32;  // frames that set the scale of errors and the size of the picture
 constexpr int kReferencePoints = 256;
+
+class Stopwatch {
+ public:
+  double milliseconds() const {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
 
 std::string objectNames(const std::vector<SceneObject>& objects) {
   std::string names;
@@ -41,9 +52,11 @@ Result<SceneRender> SceneRender::create(const RenderOptions& options, const GpuC
   for (const Lit& lit : render.lit_) drawn.push_back({lit.object, lit.rig.get()});
   const RendererOptions how{options.run.bands, options.storage, options.perVertex, options.run.wrap,
                             options.against != RenderReference::none};
+  const Stopwatch watch;
   auto renderer = SceneRenderer::create(context, drawn, render.stage_->lights().set, how);
   if (!renderer) return renderer.error();
   render.renderer_ = std::make_unique<SceneRenderer>(*std::move(renderer));
+  render.loadMilliseconds_ = watch.milliseconds();
   return render;
 }
 
@@ -75,6 +88,7 @@ std::optional<Error> SceneRender::makeRigs() {
       if (!surface) return Error{surface.error().line(), scene_->source()};
       LightingOptions asked = lightingOptions(spec, options_.run);
       asked.wrap = commonWrap(surface->wrap);
+      asked.estimate = false;  // nobody reads it here
       auto rig = makeRigRunner(spec, asked, options_.run.bands, object, posed, *surface);
       if (!rig) return Error{rig.error().line(), scene_->source()};
       lit.rig = *std::move(rig);
@@ -138,6 +152,18 @@ FitTimes SceneRender::fit(float seconds) {
   return all;
 }
 
+std::vector<RigState> SceneRender::rigStates() const {
+  std::vector<RigState> all;
+  for (const Lit& lit : lit_) {
+    if (lit.rig == nullptr) continue;
+    RigState& state = all.emplace_back(RigState{lit.object->name, lit.rig->shVectors(), {}});
+    const auto verdicts = lit.rig->verdicts();
+    for (std::size_t i = 0; i < verdicts.size(); ++i)
+      if (verdicts[i].weight > 0) state.near.push_back(static_cast<int>(i));
+  }
+  return all;
+}
+
 BoundingSphere SceneRender::framedSphere() const {
   std::vector<glm::vec3> points;
   for (const std::size_t i : framed_)
@@ -171,12 +197,15 @@ Result<RenderResult> SceneRender::render(int frame) {
   result.stages = fit(followsOn ? static_cast<float>(1 / options_.run.rate) : 0);
 
   const Camera plain = camera(options_.width, options_.height);
+  const Stopwatch watch;
   auto measured = draw(plain);
   if (!measured) return measured.error();
+  result.drawMilliseconds = watch.milliseconds();
   result.frameMilliseconds = measured->milliseconds;
   const auto unlit = renderer_->unlitMilliseconds(plain);
   if (!unlit) return unlit.error();
   result.unlitMilliseconds = *unlit;
+  result.rigs = rigStates();
   result.effects = renderer_->effects();
   result.effects.add(lightEffects(stage_->lights().set));
   if (options_.run.rigs.front().adaptive) result.effects.add(Effect::rig_auto);

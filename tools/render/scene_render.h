@@ -10,6 +10,13 @@
 
 namespace rigel::tools {
 
+/// What an object's rig is in a frame.
+struct RigState {
+  std::string object;
+  int shVectors = 0;
+  std::vector<int> near;  // lights, by number, evaluated exactly in whole or part
+};
+
 /// What came of a frame.
 struct RenderResult {
   int number = 0;
@@ -18,9 +25,11 @@ struct RenderResult {
   float exposure = 1;                    // that shows it
   double frameMilliseconds = 0;          // of the device, at the picture's size without supersampling
   double unlitMilliseconds = 0;          // of the same frame in constant colours
+  double drawMilliseconds = 0;           // by the clock, until the frame has been read back: rigs are fitted before
   std::optional<Difference> difference;  // where RenderOptions::against asks for it
   Effects effects;                       // of the frame's shaders and lights
   FitTimes stages;                       // of the CPU, all objects together
+  std::vector<RigState> rigs;
 };
 
 class SceneRender {
@@ -34,6 +43,8 @@ class SceneRender {
 
   const std::vector<std::string>& notes() const { return scene_->notes(); }
   int pipelines() const { return renderer_->pipelines(); }
+  /// By the clock: buffers, pipelines and their first draws; not the scene.
+  double loadMilliseconds() const { return loadMilliseconds_; }
 
  private:
   struct Lit {
@@ -49,6 +60,7 @@ class SceneRender {
   void survey();
   void pose(int frame);
   FitTimes fit(float seconds);
+  std::vector<RigState> rigStates() const;
   Camera camera(int width, int height) const;
   Result<RenderedFrame> draw(const Camera& camera);
   BoundingSphere framedSphere() const;
@@ -66,6 +78,7 @@ class SceneRender {
   std::vector<std::size_t> framed_;  // objects that the camera looks at
   float framedRadius_ = 0;           // m, largest over the frames
   std::unique_ptr<SceneRenderer> renderer_;
+  double loadMilliseconds_ = 0;
   std::vector<BudgetShare> shares_;  // of --budget-us
   int lastFrame_ = -1;
 };

@@ -112,24 +112,25 @@ std::optional<Error> SceneRenderer::makePipelines(const LightSet& lights) {
       std::vector<ShaderVariant> variants{nearVariant(options_.bands, lights, range.wrap)};
       if (drawn.rig != nullptr) variants = possibleVariants(*drawn.rig, packed, range.wrap, lightEffects(lights));
       for (const ShaderVariant& variant : variants)
-        if (auto error = addPipeline(variant, *target)) return error;
+        if (auto error = addPipeline(variant, isPerVertex(drawn), *target)) return error;
     }
   }
   return warmUp(*target);
 }
 
-std::optional<Error> SceneRenderer::addPipeline(const ShaderVariant& variant, const RasterTarget& target) {
-  if (pipelineOf(variant) != nullptr) return std::nullopt;
+std::optional<Error> SceneRenderer::addPipeline(const ShaderVariant& variant, bool perVertex,
+                                                const RasterTarget& target) {
+  if (pipelineOf(variant, perVertex) != nullptr) return std::nullopt;
   const std::vector<ShaderConstant> constants = variant.constants();
   ShaderCode vertex{shaderBinary("object.vert")};
   ShaderCode fragment{shaderBinary(variant.binary("object.frag")), constants};
-  if (options_.perVertex) {
+  if (perVertex) {
     vertex = {shaderBinary(variant.binary("object_per_vertex.vert")), constants};
     fragment = {shaderBinary("object_per_vertex.frag")};
   }
   auto pipeline = GpuPipeline::raster(*context_, buffers_.layout(), vertex, fragment, streams(true), target);
   if (!pipeline) return pipeline.error();
-  shelf_.push_back({variant, *std::move(pipeline)});
+  shelf_.push_back({variant, perVertex, *std::move(pipeline)});
   return std::nullopt;
 }
 
@@ -146,15 +147,19 @@ std::optional<Error> SceneRenderer::warmUp(const RasterTarget& target) {
   Draw draw;
   draw.vertices = 3;
   draw.bindings = &buffers_.bindings(0);
-  record(camera, draw, *flat_);
-  if (surface_) record(camera, draw, *surface_);
-  for (const Entry& entry : shelf_) record(camera, draw, entry.pipeline);
+  // Twice: lavapipe compiles a vertex shader once more where another pipeline was in use before.
+  for (int round = 0; round < 2; ++round) {
+    record(camera, draw, *flat_);
+    if (surface_) record(camera, draw, *surface_);
+    for (const Entry& entry : shelf_) record(camera, draw, entry.pipeline);
+  }
   commands_.endPass();
   return commands_.run();
 }
 
-const GpuPipeline* SceneRenderer::pipelineOf(const ShaderVariant& variant) const {
-  const auto found = std::ranges::find(shelf_, variant, &Entry::variant);
+const GpuPipeline* SceneRenderer::pipelineOf(const ShaderVariant& variant, bool perVertex) const {
+  const auto found = std::ranges::find_if(
+      shelf_, [&](const Entry& entry) { return entry.variant == variant && entry.perVertex == perVertex; });
   return found == shelf_.end() ? nullptr : &found->pipeline;
 }
 
@@ -211,7 +216,7 @@ std::optional<Error> SceneRenderer::listDraws(const LightSet& lights, std::size_
           drawn.rig != nullptr
               ? variantOf(*drawn.rig, place.packed, drawn.rig->effects(range.wrap), nearKindsOf(lights, range.wrap))
               : nearVariant(options_.bands, lights, range.wrap);
-      const GpuPipeline* pipeline = pipelineOf(variant);
+      const GpuPipeline* pipeline = pipelineOf(variant, isPerVertex(drawn));
       if (pipeline == nullptr) return Error{"an effect that was not prepared for", drawn.object->name};
       if (drawn.rig != nullptr) effects_.add(variant.effects);
       list_.push_back({pipeline,

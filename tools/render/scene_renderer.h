@@ -20,7 +20,7 @@ struct DrawnObject {
 struct RendererOptions {
   int bands = 3;
   RigStorage storage = RigStorage::float32;
-  bool perVertex = false;
+  bool perVertex = false;     // objects with rigs; scenery has too few vertices for it
   std::optional<float> wrap;  // overrides the materials'
   bool points = false;        // that `points` may be asked for
 };
@@ -58,6 +58,7 @@ class SceneRenderer {
   };
   struct Entry {
     ShaderVariant variant;
+    bool perVertex = false;
     GpuPipeline pipeline;
   };
   struct Draw {
@@ -74,11 +75,12 @@ class SceneRenderer {
       : context_(&context), options_(options), buffers_(std::move(buffers)), commands_(std::move(commands)) {}
 
   std::optional<Error> makePipelines(const LightSet& lights);
-  std::optional<Error> addPipeline(const ShaderVariant& variant, const RasterTarget& target);
+  std::optional<Error> addPipeline(const ShaderVariant& variant, bool perVertex, const RasterTarget& target);
   std::optional<Error> warmUp(const RasterTarget& target);
   std::optional<Error> makeRoom(std::size_t balls);
   std::optional<Error> fitTarget(const Camera& camera);
-  const GpuPipeline* pipelineOf(const ShaderVariant& variant) const;
+  const GpuPipeline* pipelineOf(const ShaderVariant& variant, bool perVertex) const;
+  bool isPerVertex(const Drawn& drawn) const { return options_.perVertex && drawn.rig != nullptr; }
   void fillVertices(std::span<const PosedObject> posed, std::span<const LightBall> balls);
   std::optional<Error> listDraws(const LightSet& lights, std::size_t balls);
   void record(const Camera& camera, const Draw& draw, const GpuPipeline& pipeline);

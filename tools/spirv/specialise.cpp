@@ -1,5 +1,7 @@
 #include "spirv/specialise.h"
 
+#include "spirv/canonical.h"
+
 #include <fmt/format.h>
 #include <spirv-tools/optimizer.hpp>
 
@@ -24,8 +26,7 @@ void addPasses(spvtools::Optimizer& optimizer, std::unordered_map<std::uint32_t,
       .RegisterPerformancePasses()
       .RegisterPass(spvtools::CreateRemoveUnusedInterfaceVariablesPass())
       .RegisterPass(spvtools::CreateEliminateDeadConstantPass())
-      .RegisterPass(spvtools::CreateStripDebugInfoPass())
-      .RegisterPass(spvtools::CreateCompactIdsPass());
+      .RegisterPass(spvtools::CreateStripDebugInfoPass());
 }
 
 }  // namespace
@@ -42,7 +43,7 @@ Result<std::vector<std::uint32_t>> specialise(std::span<const std::uint32_t> wor
   addPasses(optimizer, std::move(values));
   std::vector<std::uint32_t> result;
   if (!optimizer.Run(words.data(), words.size(), &result)) return Error{message, "spirv"};
-  return result;
+  return canonical(result);
 }
 
 int instructionCount(std::span<const std::uint32_t> words) {

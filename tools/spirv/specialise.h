@@ -15,9 +15,9 @@ struct SpecialisedConstant {
   std::uint32_t bits;
 };
 
-/// The module with these constants in place of their defaults, all constants frozen, optimised, names removed and ids
-/// renumbered: two shaders that do the same are the same words. Error: what the optimiser says of a module it does not
-/// take.
+/// The module with these constants in place of their defaults, all constants frozen, optimised, names removed,
+/// canonical (canonical.h): two shaders that do the same are the same words. Error: what the optimiser says of a module
+/// it does not take.
 Result<std::vector<std::uint32_t>> specialise(std::span<const std::uint32_t> words,
                                               std::span<const SpecialisedConstant> constants);
 
