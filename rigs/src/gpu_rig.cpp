@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 namespace rigel {
@@ -100,6 +101,7 @@ std::array<int, 3> axesByNodes(const Rig& rig) noexcept {
 template <int B, class Texel>
 GpuRig packTextureInto(const Rig& rig, const RigFrame& worldFromRig, std::span<const RadianceSH<B>> coefficients,
                        std::span<Texel> texels) noexcept {
+  assert(coefficients.size() == static_cast<std::size_t>(rig.shVectors()));
   const std::array<int, 3> order = axesByNodes(rig);
   GpuRig out = GpuRigReader(rig).describe(worldFromRig);
   const std::array<GpuVec4, 3> axis{out.axisX, out.axisY, out.axisZ};
@@ -180,6 +182,20 @@ template <int B>
 GpuRig packTexture(const Rig& rig, const RigFrame& worldFromRig, std::span<const RadianceSH<B>> coefficients,
                    std::span<GpuHalf4> texels) noexcept {
   return packTextureInto<B>(rig, worldFromRig, coefficients, texels);
+}
+
+int packHighBandBound() noexcept { return kLargestHigh; }
+
+void packHighBand(const HighBand& highBand, int offset, std::span<GpuVec4> buffer, GpuRig& packed) noexcept {
+  packed.highBand = highBand.band;
+  packed.highOffset = offset;
+  if (highBand.band == 0) return;
+  // What is fetched is multiplied by the rig's scale, a power of two.
+  std::array<Rgb, 2 * kMaxBands - 1> band{};
+  const auto count = static_cast<std::size_t>(2 * highBand.band + 1);
+  for (std::size_t m = 0; m < count; ++m) band[m] = highBand.c[m] * (1 / packed.scale);
+  const std::span<const Rgb> used = std::span(band).first(count);
+  for (int i = 0; i < kLargestHigh; ++i) storeVec4(floatsOf(used), i, 1, buffer[static_cast<std::size_t>(offset + i)]);
 }
 
 #define RIGEL_INSTANTIATE(B)                                                                               \

@@ -219,6 +219,26 @@ TEST(GpuRig, TexturesAreSlabsOfNodesByDecreasingNumber) {
         }
 }
 
+TEST(GpuRig, HighBandsOfTexturesLieInTheBufferOverTheirScale) {
+  HighBand band;
+  band.band = 4;
+  for (int m = 0; m < 9; ++m) {
+    const auto x = static_cast<float>(m);
+    band.c[m] = {x + 0.25f, -x - 1, 2 * x};
+  }
+  GpuRig packed{};
+  packed.scale = 8;
+  constexpr int kOffset = 3;
+  std::vector<GpuVec4> buffer(kOffset + packHighBandBound());
+  packHighBand(band, kOffset, buffer, packed);
+  EXPECT_EQ(packed.highBand, 4);
+  EXPECT_EQ(packed.highOffset, kOffset);
+  const auto floats = floatsOf(buffer);
+  for (int i = 0; i < 27; ++i) EXPECT_EQ(8 * floats[4 * kOffset + i], pi((&band.c[0].r)[i])) << i;
+  packHighBand({}, kOffset, buffer, packed);
+  EXPECT_EQ(packed.highBand, 0);
+}
+
 TEST(GpuRig, OnlyPlainLatticesAreTextures) {
   for (const std::string text : {"gradient", "mixed:l3,g,c", "lattice:4x3x2:cubic", "lattice:3x2x2@gauss", "poly:6"})
     EXPECT_FALSE(textureSize(rigOf(text, kBody), 3)) << text;

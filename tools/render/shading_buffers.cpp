@@ -53,7 +53,7 @@ Result<ShadingBuffers> ShadingBuffers::create(const GpuContext& context, const S
 std::optional<Error> ShadingBuffers::createBuffers(const GpuContext& context, const ShadingRoom& room,
                                                    RigStorage storage) {
   storage_ = storage;
-  uniformStep_ = std::max<std::size_t>(sizeof(GpuRig), context.limits().minUniformBufferOffsetAlignment);
+  uniformStep_ = context.uniformStride(std::max(sizeof(GpuRig), sizeof(GpuWrap)));
   int vec4 = 0, gauss = 0, texels = 0, near = room.lights;
   for (const RigRunner* runner : room.rigs) {
     places_.push_back({vec4, 0, gauss});
@@ -155,6 +155,8 @@ ShadingPlace ShadingBuffers::pack(std::size_t i, const RigRunner& runner) {
       packed = runner.packTexture(to);
       textures_[i]->stage(std::as_bytes(to));
     }
+    packHighBand(runner.highBandVector(), places_[i].offset, coefficients_->as<GpuVec4>(), packed);
+    texel = textures_[i]->format() == TextureFormat::rgba16f ? sizeof(GpuHalf4) : sizeof(GpuVec4);
     coefficientBytes_[i] = texels * texel;
   } else {
     packed = storage_ == RigStorage::float16 ? runner.pack(places_[i], coefficients_->as<GpuHalf4>())

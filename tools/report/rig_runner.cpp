@@ -147,6 +147,7 @@ class RunnerOf final : public RigRunner {
   GpuRig pack(const GpuRigPlace& place, std::span<GpuHalf4> buffer) const override { return packInto(place, buffer); }
   GpuRig packTexture(std::span<GpuVec4> texels) const override { return packTexels(texels); }
   GpuRig packTexture(std::span<GpuHalf4> texels) const override { return packTexels(texels); }
+  const HighBand& highBandVector() const override { return lighting_.highBand(); }
   std::span<const NearLight> nearLights() const override { return lighting_.nearLights(); }
   Effects effects(float wrap) const override { return frameEffects(lighting_, wrap); }
   Effects lightKinds() const override { return lightKinds_; }

@@ -87,6 +87,7 @@ class RigRunner {
   virtual GpuRig pack(const GpuRigPlace& place, std::span<GpuHalf4> buffer) const = 0;
   virtual GpuRig packTexture(std::span<GpuVec4> texels) const = 0;
   virtual GpuRig packTexture(std::span<GpuHalf4> texels) const = 0;
+  virtual const HighBand& highBandVector() const = 0;
   virtual std::span<const NearLight> nearLights() const = 0;
   virtual Effects effects(float wrap) const = 0;
   virtual Effects lightKinds() const = 0;  // of the lights last fitted to

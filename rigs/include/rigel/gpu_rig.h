@@ -68,7 +68,8 @@ struct GpuTextureSize {
 /// these are for buffers.
 std::optional<GpuTextureSize> textureSize(const Rig& rig, int bands) noexcept;
 
-/// The rig with its pose in the world and its coefficients as texels, x fastest; `texels` has textureSize's number.
+/// The rig with its pose in the world and its coefficients, rig.shVectors() of them, as texels, x fastest; `texels` has
+/// textureSize's number. A high band goes elsewhere (packHighBand).
 /// Half floats as in packRig.
 template <int B>
 GpuRig packTexture(const Rig& rig, const RigFrame& worldFromRig, std::span<const RadianceSH<B>> coefficients,
@@ -76,5 +77,10 @@ GpuRig packTexture(const Rig& rig, const RigFrame& worldFromRig, std::span<const
 template <int B>
 GpuRig packTexture(const Rig& rig, const RigFrame& worldFromRig, std::span<const RadianceSH<B>> coefficients,
                    std::span<GpuHalf4> texels) noexcept;
+
+/// The high band of a rig whose vectors are in a texture: written to `buffer` from vec4 `offset` on, over packed.scale,
+/// and noted in `packed`. Takes packHighBandBound() vec4.
+int packHighBandBound() noexcept;
+void packHighBand(const HighBand& highBand, int offset, std::span<GpuVec4> buffer, GpuRig& packed) noexcept;
 
 }  // namespace rigel
