@@ -160,13 +160,15 @@ void packGaussNodes(const Rig& rig, std::span<GpuVec4> out) noexcept {
   if (packGaussNodesBound(rig) > 0) GpuRigReader(rig).gaussNodes(out);
 }
 
-std::optional<GpuTextureSize> textureSize(const Rig& rig, int bands) noexcept {
-  const RigSpec& spec = rig.spec();
+bool fitsTexture(const RigSpec& spec) noexcept {
   const bool slopes =
-      std::ranges::any_of(rig.axes(), [](const AxisModel& axis) { return axis.kind == AxisModel::Kind::gradient; });
-  if (spec.family != RigSpec::Family::tensor || spec.fit == FitMethod::gauss || spec.kernel == LatticeKernel::cubic ||
-      slopes)
-    return {};
+      std::ranges::any_of(spec.axes, [](const AxisModel& axis) { return axis.kind == AxisModel::Kind::gradient; });
+  return spec.family == RigSpec::Family::tensor && spec.fit != FitMethod::gauss &&
+         spec.kernel != LatticeKernel::cubic && !slopes;
+}
+
+std::optional<GpuTextureSize> textureSize(const Rig& rig, int bands) noexcept {
+  if (!fitsTexture(rig.spec())) return {};
   const std::array<int, 3> order = axesByNodes(rig);
   return GpuTextureSize{rig.axes()[order[0]].nodes, rig.axes()[order[1]].nodes,
                         rig.axes()[order[2]].nodes * gpuVectorSize(bands)};

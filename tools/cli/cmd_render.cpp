@@ -47,6 +47,8 @@ const std::map<std::string, RigStorage> kStorages{{"float32", RigStorage::float3
 const std::map<std::string, RenderReference> kReferences{
     {"", RenderReference::none}, {"cpu", RenderReference::cpu}, {"truth", RenderReference::truth}};
 
+bool isTexture(RigStorage storage) { return storage == RigStorage::texture32 || storage == RigStorage::texture16; }
+
 Result<RenderOptions> parse(const Arguments& a) {
   RenderOptions options;
   auto run = a.run.options();
@@ -64,6 +66,9 @@ Result<RenderOptions> parse(const Arguments& a) {
   options.object = a.object;
   options.supersampling = a.supersampling;
   options.storage = kStorages.at(a.storage);
+  if (isTexture(options.storage) && !fitsTexture(*rig))
+    return Error{"textures hold lattices alone, without slopes, @gauss or cubic blends",
+                 "--storage " + a.storage + " --rig " + a.rig};
   options.perVertex = a.perVertex;
   options.against = kReferences.at(a.against);
   const std::string extension = std::filesystem::path(a.out).extension();
@@ -82,7 +87,10 @@ std::optional<Error> write(const RenderResult& result, const std::filesystem::pa
 class Summary {
  public:
   Summary(const Arguments& arguments, const GpuContext& context)
-      : json_{{"scene", arguments.scene}, {"rig", arguments.rig}, {"device", context.name()}} {}
+      : json_{{"scene", arguments.scene},
+              {"rig", arguments.rig},
+              {"storage", arguments.storage},
+              {"device", context.name()}} {}
 
   /// `deviceMilliseconds`: to make the device.
   void start(const SceneRender& render, const GpuContext& context, double deviceMilliseconds) {
@@ -113,6 +121,8 @@ class Summary {
       squares_ += d.rms * d.rms;
       max_ = std::max(max_, d.max);
       p99_ = std::max(p99_, d.p99);
+      pixels_ += d.compared;
+      covered_ += d.covered;
       compared_ = true;
     }
     frames_.push_back(row);
@@ -125,7 +135,11 @@ class Summary {
   Json json() const {
     Json out = json_;
     if (compared_)
-      out.update({{"rms", std::sqrt(squares_ / static_cast<double>(frames_.size()))}, {"max", max_}, {"p99", p99_}});
+      out.update({{"rms", std::sqrt(squares_ / static_cast<double>(frames_.size()))},
+                  {"max", max_},
+                  {"p99", p99_},
+                  {"covered", covered_},
+                  {"compared", pixels_}});
     out["frame_ms"] = median(milliseconds_);
     out["effects"] = Json::array();
     for (const Effect effect : kAllEffects)
@@ -151,6 +165,7 @@ class Summary {
   std::vector<double> milliseconds_;
   std::array<std::vector<double>, FitTimes::kStages> stages_;
   double squares_ = 0, max_ = 0, p99_ = 0;
+  std::size_t pixels_ = 0, covered_ = 0;
   bool compared_ = false;
 };
 
@@ -196,6 +211,8 @@ int runRender(const Arguments& arguments) {
       progress(static_cast<double>(f) / static_cast<double>(frames.size()), fmt::format("frame {}", frames[f]));
       const auto result = render->render(frames[f]);
       if (!result) return fail(kExitBadInput, result.error().line());
+      if (result->difference && result->difference->compared == 0)
+        return fail(kExitBadInput, fmt::format("{}: no pixel of frame {} can be compared", arguments.scene, frames[f]));
       const auto file = numberedFile(arguments.out, frames[f], frames.size() > 1);
       if (const auto error = write(*result, file)) return fail(kExitBadInput, error->line());
       summary.add(*result, file.string());

@@ -56,7 +56,8 @@ Difference compare(const RenderedFrame& frame, const VisibleSurface& seen, std::
   if (largest.empty()) return result;
   const double values = 3 * static_cast<double>(largest.size());
   result.mean /= values;
-  if (result.mean <= 0) return result;
+  // Where it should be black, any light is too much.
+  if (result.mean <= 0) result.mean = squares > 0 ? std::sqrt(squares / values) : 1;
   std::ranges::sort(largest);
   result.rms = std::sqrt(squares / values) / result.mean;
   result.max = largest.back() / result.mean;

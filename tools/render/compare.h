@@ -7,7 +7,7 @@
 namespace rigel::tools {
 
 /// Over pixels that show an object (not scenery) in the ray-cast picture. Relative to the mean of the reference
-/// irradiance over the pixels compared and channels; all 0 where there is no light.
+/// irradiance over the pixels compared and channels; where that is black, to the RMS difference (or 1 without any).
 struct Difference {
   double rms = 0;
   double max = 0;

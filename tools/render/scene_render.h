@@ -24,7 +24,7 @@ struct RenderResult {
   Image radiance;                        // linear
   float exposure = 1;                    // that shows it
   double frameMilliseconds = 0;          // of the device, at the picture's size without supersampling
-  double unlitMilliseconds = 0;          // of the same frame in constant colours
+  double unlitMilliseconds = 0;          // of the same frame, what has rigs in constant colours
   double drawMilliseconds = 0;           // by the clock, until the frame has been read back: rigs are fitted before
   std::optional<Difference> difference;  // where RenderOptions::against asks for it
   Effects effects;                       // of the frame's shaders and lights

@@ -227,7 +227,8 @@ std::optional<Error> SceneRenderer::listDraws(const LightSet& lights, std::size_
                        static_cast<std::uint32_t>(i + 1),
                        drawn.rig != nullptr ? 1 : kSceneryDimming,
                        place.firstNear,
-                       place.nearCount});
+                       place.nearCount,
+                       drawn.rig != nullptr});
     }
   }
   if (balls > 0)
@@ -239,7 +240,8 @@ std::optional<Error> SceneRenderer::listDraws(const LightSet& lights, std::size_
                      static_cast<std::uint32_t>(drawn_.size() + 1),
                      1,
                      0,
-                     0});
+                     0,
+                     false});
   return std::nullopt;
 }
 
@@ -262,13 +264,14 @@ void SceneRenderer::record(const Camera& camera, const Draw& draw, const GpuPipe
   commands_.draw(draw.vertices, draw.firstVertex);
 }
 
-/// Draws the list, all of it by one pipeline if there is one `instead`.
-Result<double> SceneRenderer::run(const Camera& camera, const GpuPipeline* instead) {
+/// Draws the list, all of it or what has a rig by one pipeline if there is one `instead`.
+Result<double> SceneRenderer::run(const Camera& camera, const GpuPipeline* instead, bool rigsAlone) {
   if (auto error = commands_.begin()) return *error;
   buffers_.upload(commands_);
   const int start = commands_.mark();
   commands_.beginPass(*target_, kClear);
-  for (const Draw& draw : list_) record(camera, draw, instead != nullptr ? *instead : *draw.pipeline);
+  for (const Draw& draw : list_)
+    record(camera, draw, instead != nullptr && (draw.hasRig || !rigsAlone) ? *instead : *draw.pipeline);
   commands_.endPass();
   const int end = commands_.mark();
   for (std::size_t i = 0; i < readBacks_.size(); ++i) commands_.read(target_->colours()[i], readBacks_[i]);
@@ -298,7 +301,7 @@ Result<RenderedFrame> SceneRenderer::render(const Camera& camera, std::span<cons
   return frame;
 }
 
-Result<double> SceneRenderer::unlitMilliseconds(const Camera& camera) { return run(camera, &*flat_); }
+Result<double> SceneRenderer::unlitMilliseconds(const Camera& camera) { return run(camera, &*flat_, true); }
 
 Result<RenderedPoints> SceneRenderer::points(const Camera& camera) {
   assert(surface_);

@@ -37,7 +37,7 @@ class SceneRenderer {
   Result<RenderedFrame> render(const Camera& camera, std::span<const PosedObject> posed, const LightSet& lights,
                                std::span<const LightBall> balls);
 
-  /// The same frame in constant colours: what it costs to draw without lighting. [ms]
+  /// The same frame with what has a rig in constant colours: what is left is the cost of shading by rigs. [ms]
   Result<double> unlitMilliseconds(const Camera& camera);
 
   /// What the pixels of the same frame shaded. Only if RendererOptions::points.
@@ -69,6 +69,7 @@ class SceneRenderer {
     std::uint32_t part = 0;
     float radianceScale = 1;
     int firstNear = 0, nearCount = 0;
+    bool hasRig = false;
   };
 
   SceneRenderer(const GpuContext& context, const RendererOptions& options, ShadingBuffers buffers, GpuCommands commands)
@@ -84,7 +85,7 @@ class SceneRenderer {
   void fillVertices(std::span<const PosedObject> posed, std::span<const LightBall> balls);
   std::optional<Error> listDraws(const LightSet& lights, std::size_t balls);
   void record(const Camera& camera, const Draw& draw, const GpuPipeline& pipeline);
-  Result<double> run(const Camera& camera, const GpuPipeline* instead);
+  Result<double> run(const Camera& camera, const GpuPipeline* instead, bool rigsAlone = false);
 
   const GpuContext* context_;
   RendererOptions options_;

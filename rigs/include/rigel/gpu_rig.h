@@ -63,9 +63,11 @@ struct GpuTextureSize {
   int texels() const noexcept { return width * height * depth; }
 };
 
+/// Can a texture unit interpolate such a rig? A lattice or constant, linear or smooth, of samples at its nodes.
+bool fitsTexture(const RigSpec& spec) noexcept;
+
 /// The 3-D texture of a rig: its nodes along the axes by decreasing number, times gpuVectorSize slabs of depth (64
-/// nodes and 3 bands: 8x4x14). Nothing for rigs that a texture unit cannot interpolate (slopes, @gauss, cubic, poly);
-/// these are for buffers.
+/// nodes and 3 bands: 8x4x14). Nothing where fitsTexture says no: those are for buffers.
 std::optional<GpuTextureSize> textureSize(const Rig& rig, int bands) noexcept;
 
 /// The rig with its pose in the world and its coefficients, rig.shVectors() of them, as texels, x fastest; `texels` has
