@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace rigel {
 namespace {
@@ -67,7 +68,8 @@ BoundPlan boundPlan(const Rig& rig, float radius, detail::SamplePlan& samples) n
   // The operators of the axes are applied one after another, and each error counts with the norms of those before it:
   // the smallest norms first.
   std::array<int, 3> order{0, 1, 2};
-  std::ranges::stable_sort(order, {}, [&](int a) { return normOf(models[a], spec.kernel); });
+  // Not stable_sort, which allocates.
+  std::ranges::sort(order, {}, [&](int a) { return std::pair(normOf(models[a], spec.kernel), a); });
   for (const AxisModel::Kind kind : {AxisModel::Kind::lattice, AxisModel::Kind::constant, AxisModel::Kind::gradient})
     for (const int a : order)
       if (models[a].kind == kind) planAxis(plan.axis[a], models[a], spec, plan.lebesgue);

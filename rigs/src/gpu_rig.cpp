@@ -7,6 +7,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 namespace rigel {
 namespace {
@@ -94,7 +95,8 @@ GpuRig packInto(const Rig& rig, const RigFrame& worldFromRig, std::span<const Ra
 /// The axes by decreasing number of nodes.
 std::array<int, 3> axesByNodes(const Rig& rig) noexcept {
   std::array<int, 3> order{0, 1, 2};
-  std::ranges::stable_sort(order, [&](int a, int b) { return rig.axes()[a].nodes > rig.axes()[b].nodes; });
+  // Not stable_sort, which allocates.
+  std::ranges::sort(order, {}, [&](int a) { return std::pair(-rig.axes()[a].nodes, a); });
   return order;
 }
 
