@@ -151,10 +151,12 @@ TEST_F(RenderCommand, ADeviceThatIsNotThereIsNamed) {
 TEST_F(RenderCommand, KeepsCompiledPipelinesForTheUser) {
   const std::filesystem::path kept = cache_ / "rigel" / "pipelines";
   const std::vector<std::string> cheap{"--rig", "constant"};
-  figures("sample:figure1", folder_ / "a.png", {"--rig", "constant", "--no-pipeline-cache"});
+  figures("sample:figure1", folder_ / "a.png", {"--rig", "constant", "--no-shader-cache"});
   EXPECT_FALSE(std::filesystem::exists(kept));
+  EXPECT_FALSE(std::filesystem::exists(cache_ / "rigel" / "shaders"));
   figures("sample:figure1", folder_ / "a.png", cheap);
   ASSERT_TRUE(std::filesystem::exists(kept));
+  EXPECT_TRUE(std::filesystem::exists(cache_ / "rigel" / "shaders"));
   EXPECT_THAT(figures("sample:figure1", folder_ / "a.png", cheap)["notes"], IsEmpty());
 
   writeFile(kept, std::string(100, 'x'));

@@ -34,7 +34,7 @@ struct Arguments {
   bool perVertex = false;
   std::string against;
   bool validate = false;
-  bool noPipelineCache = false;
+  bool noShaderCache = false;
   bool json = false;
   bool quiet = false;
   std::string out;
@@ -71,6 +71,7 @@ Result<RenderOptions> parse(const Arguments& a) {
                  "--storage " + a.storage + " --rig " + a.rig};
   options.perVertex = a.perVertex;
   options.against = kReferences.at(a.against);
+  if (!a.noShaderCache) options.shaderCache = userCacheFile("shaders");
   const std::string extension = std::filesystem::path(a.out).extension();
   if (extension != ".exr" && extension != ".png")
     return Error{"a file name ending in .exr or .png is needed", "--out " + a.out};
@@ -191,7 +192,7 @@ int runRender(const Arguments& arguments) {
   rememberInterrupts();
   GpuOptions device;
   device.validation = arguments.validate;
-  if (!arguments.noPipelineCache) device.pipelineCache = userCacheFile("pipelines");
+  if (!arguments.noShaderCache) device.pipelineCache = userCacheFile("pipelines");
   const auto start = std::chrono::steady_clock::now();
   auto context = GpuContext::create(device);
   if (!context) return fail(kExitBadInput, context.error().line());
@@ -256,8 +257,8 @@ Command addRender(CLI::App& root) {
   app->add_option("--against", arguments->against, "Compare with the CPU path (cpu) or exact irradiance (truth)")
       ->check(CLI::IsMember(namesOf(kReferences)));
   app->add_flag("--validate", arguments->validate, "Let Vulkan's validation layer watch; its messages are errors");
-  app->add_flag("--no-pipeline-cache", arguments->noPipelineCache,
-                "Compile every pipeline anew, and keep none for the next run");
+  app->add_flag("--no-shader-cache", arguments->noShaderCache,
+                "Make every shader and pipeline anew, and keep none for the next run");
   app->add_flag("--json", arguments->json, "Print figures as JSON");
   app->add_flag("--quiet", arguments->quiet, "No progress on standard error");
   app->add_option("--out", arguments->out,
@@ -265,8 +266,9 @@ Command addRender(CLI::App& root) {
       ->required();
   app->footer(
       "The device is the best there is; RIGEL_VULKAN_DEVICE takes another by part of its name. Without a GPU Mesa's\n"
-      "lavapipe does: apt-get install mesa-vulkan-drivers. What the driver compiled is kept in rigel/pipelines under\n"
-      "XDG_CACHE_HOME (~/.cache), for this device and driver alone; Mesa keeps its own shaders under\n"
+      "lavapipe does: apt-get install mesa-vulkan-drivers. Under XDG_CACHE_HOME (~/.cache) rigel/shaders keeps shaders "
+      "as\n"
+      "scenes called for them, and rigel/pipelines what this device's driver compiled; Mesa's own cache is under\n"
       "MESA_SHADER_CACHE_DIR.\n\n"
       "--json: load_ms is the device, its pipelines and their first draws; first_frame_ms the first frame until it "
       "has\n"

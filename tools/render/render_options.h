@@ -28,7 +28,8 @@ struct RenderOptions {
   RigStorage storage = RigStorage::float32;
   bool perVertex = false;
   RenderReference against = RenderReference::none;
-  bool validation = false;  // Vulkan's validation layer watches; its messages are errors
+  std::filesystem::path shaderCache = {};  // file that keeps specialised shaders; "": none
+  bool validation = false;                 // Vulkan's validation layer watches; its messages are errors
 };
 
 /// FILE.png becomes FILE-0042.png where there are several frames.

@@ -50,8 +50,12 @@ Result<SceneRender> SceneRender::create(const RenderOptions& options, const GpuC
   render.fit(0);
   std::vector<DrawnObject> drawn;
   for (const Lit& lit : render.lit_) drawn.push_back({lit.object, lit.rig.get()});
-  const RendererOptions how{options.run.bands, options.storage, options.perVertex, options.run.wrap,
-                            options.against != RenderReference::none};
+  const RendererOptions how{options.run.bands,
+                            options.storage,
+                            options.perVertex,
+                            options.run.wrap,
+                            options.against != RenderReference::none,
+                            options.shaderCache};
   const Stopwatch watch;
   auto renderer = SceneRenderer::create(context, drawn, render.stage_->lights().set, how);
   if (!renderer) return renderer.error();

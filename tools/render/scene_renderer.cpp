@@ -115,6 +115,7 @@ std::optional<Error> SceneRenderer::makePipelines(const LightSet& lights) {
         if (auto error = addPipeline(variant, isPerVertex(drawn), *target)) return error;
     }
   }
+  shaders_.save();  // what cannot be kept is only slower next time
   return warmUp(*target);
 }
 
@@ -123,11 +124,10 @@ std::optional<Error> SceneRenderer::addPipeline(const ShaderVariant& variant, bo
   if (pipelineOf(variant, perVertex) != nullptr) return std::nullopt;
   const std::vector<ShaderConstant> constants = variant.constants();
   ShaderCode vertex{shaderBinary("object.vert")};
-  ShaderCode fragment{shaderBinary(variant.binary("object.frag")), constants};
-  if (perVertex) {
-    vertex = {shaderBinary(variant.binary("object_per_vertex.vert")), constants};
-    fragment = {shaderBinary("object_per_vertex.frag")};
-  }
+  ShaderCode fragment{shaderBinary("object_per_vertex.frag")};
+  auto shading = shaders_.get(variant.binary(perVertex ? "object_per_vertex.vert" : "object.frag"), constants);
+  if (!shading) return shading.error();
+  (perVertex ? vertex : fragment) = ShaderCode{*shading};
   auto pipeline = GpuPipeline::raster(*context_, buffers_.layout(), vertex, fragment, streams(true), target);
   if (!pipeline) return pipeline.error();
   shelf_.push_back({variant, perVertex, *std::move(pipeline)});

@@ -8,6 +8,7 @@
 #include "render/rendered_frame.h"
 #include "render/shader_variant.h"
 #include "render/shading_buffers.h"
+#include "render/specialised_shaders.h"
 
 namespace rigel::tools {
 
@@ -20,9 +21,10 @@ struct DrawnObject {
 struct RendererOptions {
   int bands = 3;
   RigStorage storage = RigStorage::float32;
-  bool perVertex = false;     // objects with rigs; scenery has too few vertices for it
-  std::optional<float> wrap;  // overrides the materials'
-  bool points = false;        // that `points` may be asked for
+  bool perVertex = false;                  // objects with rigs; scenery has too few vertices for it
+  std::optional<float> wrap;               // overrides the materials'
+  bool points = false;                     // that `points` may be asked for
+  std::filesystem::path shaderCache = {};  // of SpecialisedShaders
 };
 
 /// Everything is made and warmed up in `create`: afterwards no shader or pipeline is, whatever the frames hold.
@@ -73,7 +75,11 @@ class SceneRenderer {
   };
 
   SceneRenderer(const GpuContext& context, const RendererOptions& options, ShadingBuffers buffers, GpuCommands commands)
-      : context_(&context), options_(options), buffers_(std::move(buffers)), commands_(std::move(commands)) {}
+      : context_(&context),
+        options_(options),
+        buffers_(std::move(buffers)),
+        commands_(std::move(commands)),
+        shaders_(options.shaderCache) {}
 
   std::optional<Error> makePipelines(const LightSet& lights);
   std::optional<Error> addPipeline(const ShaderVariant& variant, bool perVertex, const RasterTarget& target);
@@ -92,6 +98,7 @@ class SceneRenderer {
   std::vector<Drawn> drawn_;
   ShadingBuffers buffers_;
   GpuCommands commands_;
+  SpecialisedShaders shaders_;
   std::vector<Entry> shelf_;
   std::optional<GpuPipeline> flat_;
   std::optional<GpuPipeline> surface_;
