@@ -19,8 +19,8 @@ namespace {
 constexpr float kLightMarker = 0.02f;  // least radius, of what is framed
 constexpr float kLightBrightness = 1.2f;
 
-constexpr int kSurveyed = 32;  // frames that set the scale of errors and the size of the picture
-constexpr int kReferencePoints = 256;
+constexpr int kSurveyed = 64;         // frames that set the scale of errors and the size of the picture, as a report's
+constexpr double kFrameSlack = 1e-3;  // of a frame: 0.8333333 s are 25 frames
 
 class Stopwatch {
  public:
@@ -88,7 +88,7 @@ std::optional<Error> SceneRender::makeRigs() {
     lit.object = &object;
     if (!object.isStatic) {
       poseObject(scene_->scene(), object, rest, posed);
-      auto surface = chooseSurface(object, posed, kReferencePoints, options_.run.wrap);
+      auto surface = chooseSurface(object, posed, options_.run.samples, options_.run.wrap);
       if (!surface) return Error{surface.error().line(), scene_->source()};
       LightingOptions asked = lightingOptions(spec, options_.run);
       asked.wrap = commonWrap(surface->wrap);
@@ -112,18 +112,25 @@ std::optional<Error> SceneRender::makeRigs() {
 /// The scale of errors that rigs aim at, as a report has it, and how large the picture must be.
 void SceneRender::survey() {
   const auto& frames = timeline().frames;
-  const std::size_t count = std::min<std::size_t>(kSurveyed, frames.size());
+  const std::size_t looks = std::min<std::size_t>(kSurveyed, frames.size());
+  for (std::size_t k = 0; k < looks; ++k) {
+    pose(frames[k * frames.size() / looks]);
+    framedRadius_ = std::max(framedRadius_, framedSphere().radius);
+  }
+  // Of the whole clip, whatever part of it is drawn: choices are then those of its report.
+  const double duration = std::max(timeline().clipDuration, timeline().lightDuration);
+  const int clipFrames = static_cast<int>(duration * timeline().rate + kFrameSlack) + 1;
+  const int count = std::min(kSurveyed, clipFrames);
   std::vector<double> means(lit_.size());
-  for (std::size_t k = 0; k < count; ++k) {
-    pose(frames[k * frames.size() / count]);
+  for (int k = 0; k < count; ++k) {
+    pose(static_cast<int>(static_cast<long>(k) * clipFrames / count));
     for (std::size_t i = 0; i < lit_.size(); ++i) {
       if (lit_[i].rig == nullptr) continue;
       means[i] += quickMean(*lit_[i].object, posed_[i], lit_[i].surface, stage_->lights().set);
     }
-    framedRadius_ = std::max(framedRadius_, framedSphere().radius);
   }
   for (std::size_t i = 0; i < lit_.size(); ++i)
-    if (lit_[i].rig != nullptr) lit_[i].rig->setReference(static_cast<float>(means[i] / static_cast<double>(count)));
+    if (lit_[i].rig != nullptr) lit_[i].rig->setReference(static_cast<float>(means[i] / count));
 }
 
 void SceneRender::pose(int frame) {
@@ -196,7 +203,8 @@ Result<RenderResult> SceneRender::render(int frame) {
   result.number = frame;
   result.time = timeline().time(frame);
   pose(frame);
-  const bool followsOn = lastFrame_ >= 0 && frame == lastFrame_ + 1;
+  const auto index = static_cast<std::size_t>(std::ranges::lower_bound(frames(), frame) - frames().begin());
+  const bool followsOn = index > 0 && lastFrame_ == frames()[index - 1] && timeline().followsOn(index);
   lastFrame_ = frame;
   result.stages = fit(followsOn ? static_cast<float>(1 / options_.run.rate) : 0);
 
