@@ -113,17 +113,19 @@ class Measured {
     out.rig_ = *std::move(rig);
     out.rig_->fit(car.object, car.posed, car.lights.set, 0);
 
-    Truth truth;
-    truth.update(car.object, car.posed, *surface, car.lights.set, wanted.bands);
-    std::vector<RigRunner::Shaded> shaded(truth.points.size());
-    out.rig_->shade(truth.points, surface->wrap, shaded);
-    out.totalError_ = rmsOver(shaded, truth, true);
-    if (out.rig_->nearLights().empty()) out.spatialError_ = rmsOver(shaded, truth, false);
-
-    const std::vector<float> wraps(points.size(), wanted.wrap);
     auto shader = PointShader::create(context, *out.rig_, {&wanted.wrap, 1}, wanted.storage, points.size());
     if (!shader) return shader.error();
     out.shader_ = std::make_unique<PointShader>(*std::move(shader));
+    Truth truth;
+    truth.update(car.object, car.posed, *surface, car.lights.set, wanted.bands);
+    std::vector<RigRunner::Shaded> shaded(truth.points.size());
+    if (const auto first = out.shader_->shade(*out.rig_, truth.points, surface->wrap, shaded); !first)
+      return first.error();
+    out.totalError_ = rmsOver(shaded, truth, true);
+    if (out.rig_->nearLights().empty()) out.spatialError_ = rmsOver(shaded, truth, false);
+
+    // The points that are timed stay in the shader's buffers.
+    const std::vector<float> wraps(points.size(), wanted.wrap);
     shaded.resize(points.size());
     if (const auto first = out.shader_->shade(*out.rig_, points, wraps, shaded); !first) return first.error();
     if (const auto first = out.shader_->emptyMicroseconds(); !first) return first.error();
