@@ -37,7 +37,7 @@ Words wordsOf(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   const std::string content{std::istreambuf_iterator<char>(stream), {}};
   Words words(content.size() / sizeof(std::uint32_t));
-  std::memcpy(words.data(), content.data(), words.size() * sizeof(std::uint32_t));
+  if (!words.empty()) std::memcpy(words.data(), content.data(), words.size() * sizeof(std::uint32_t));
   return words;
 }
 
