@@ -60,20 +60,6 @@ Vec3 normalAt(Random& random, const Placement& at, double angle) {
   return unit(w * static_cast<float>(std::cos(angle)) + side * static_cast<float>(std::sin(angle)));
 }
 
-/// r/d: mostly ordinary, often tiny or all but touching, sometimes inside.
-double hardRatio(Random& random) {
-  switch (random.index(5)) {
-    case 0:
-      return random.logUniform(1e-8, 1e-2);
-    case 1:
-      return 1 - random.logUniform(1e-7, 0.1);
-    case 2:
-      return random.logUniform(1, 1e4);
-    default:
-      return random.uniform(0.01, 1);
-  }
-}
-
 /// Half of the normals any, half such that the light crosses the kernel's horizon.
 Case hardSphere(Random& random, double distance, float wrap) {
   const Placement at = place(random, distance);

@@ -60,4 +60,18 @@ inline SpotLight spotAt(Random& random, const Placement& at, double radiusOverDi
   return spot;
 }
 
+/// A ratio r/d: mostly ordinary, often tiny or all but touching, sometimes inside.
+inline double hardRatio(Random& random) {
+  switch (random.index(5)) {
+    case 0:
+      return random.logUniform(1e-8, 1e-2);
+    case 1:
+      return 1 - random.logUniform(1e-7, 0.1);
+    case 2:
+      return random.logUniform(1, 1e4);
+    default:
+      return random.uniform(0.01, 1);
+  }
+}
+
 }  // namespace rigel::test

@@ -15,6 +15,7 @@ namespace {
 
 using reference::Worst;
 using test::describe;
+using test::hardRatio;
 using test::Placement;
 using test::Random;
 
@@ -59,20 +60,6 @@ void compare(Worst& worst, const Light& light, Vec3 p, Vec3 n, float wrap = 0) {
     return describe(light) + ", p " + describe(p) + ", n " + describe(n) + ", wrap " + describe(wrap) + ": " +
            describe(actual) + ", expected " + describe(expected);
   });
-}
-
-/// A ratio r/d: mostly ordinary, often tiny or all but touching, sometimes inside.
-double hardRatio(Random& random) {
-  switch (random.index(5)) {
-    case 0:
-      return random.logUniform(1e-8, 1e-2);
-    case 1:
-      return 1 - random.logUniform(1e-7, 0.1);
-    case 2:
-      return random.logUniform(1, 1e4);
-    default:
-      return random.uniform(0.01, 1);
-  }
 }
 
 /// A light at `ratio` and a normal: any, or one for which the light crosses the kernel's horizon.

@@ -47,8 +47,6 @@ const std::map<std::string, RigStorage> kStorages{{"float32", RigStorage::float3
 const std::map<std::string, RenderReference> kReferences{
     {"", RenderReference::none}, {"cpu", RenderReference::cpu}, {"truth", RenderReference::truth}};
 
-bool isTexture(RigStorage storage) { return storage == RigStorage::texture32 || storage == RigStorage::texture16; }
-
 Result<RenderOptions> parse(const Arguments& a) {
   RenderOptions options;
   auto run = a.run.options();

@@ -19,11 +19,12 @@ class GrowingShader {
   GrowingShader(const GpuContext& context, RigStorage storage) : context_(&context), storage_(storage) {}
 
   double shade(const RigRunner& rig, std::span<const PointAndNormal> points, std::span<const float> wraps,
-               std::span<RigRunner::Shaded> out) {
+               std::span<RigRunner::Shaded> out, bool timed) {
     if (points.empty()) return 0;
     if (!shader_ || shader_->mostPoints() < points.size() || !shader_->knowsWraps(wraps)) make(rig, points, wraps);
-    const int repeats = static_cast<int>(std::max<std::size_t>(1, kTimedPoints / points.size()));
+    const int repeats = timed ? static_cast<int>(std::max<std::size_t>(1, kTimedPoints / points.size())) : 1;
     const double lit = valueOf(shader_->shade(rig, points, wraps, out, repeats));
+    if (!timed) return 0;
     if (emptyPoints_ != points.size()) {
       emptyPoints_ = points.size();
       empty_ = std::numeric_limits<double>::infinity();
@@ -62,11 +63,11 @@ class GpuShading final : public PointShading {
 
   double shade(const RigRunner& rig, std::span<const PointAndNormal> points, std::span<const float> wrap,
                std::span<RigRunner::Shaded> out) override {
-    return whole_.shade(rig, points, wrap, out);
+    return whole_.shade(rig, points, wrap, out, true);
   }
   void shadeHalf(const RigRunner& rig, std::span<const PointAndNormal> points, std::span<const float> wrap,
                  std::span<RigRunner::Shaded> out) override {
-    half_.shade(rig, points, wrap, out);
+    half_.shade(rig, points, wrap, out, false);
   }
 
  private:

@@ -137,7 +137,6 @@ Result<double> PointShader::emptyMicroseconds() {
 Result<double> PointShader::shade(const RigRunner& rig, std::span<const PointAndNormal> points,
                                   std::span<const float> wraps, std::span<RigRunner::Shaded> out, int repeats) {
   if (points.size() > mostPoints()) return Error{"more points than room was made for", rig.rig().spec().text};
-  effects_ = {};
   repeats_ = repeats;
   buffers_.begin();
   place_ = buffers_.pack(0, rig);
@@ -146,7 +145,6 @@ Result<double> PointShader::shade(const RigRunner& rig, std::span<const PointAnd
     batch.variant = variantOf(rig, place_.packed, rig.effects(batch.wrap), nearKindsOf(lightKinds_, batch.wrap));
     if (pipelineOf(batch.variant) == nullptr)
       return Error{"an effect that was not prepared for", rig.rig().spec().text};
-    effects_.add(batch.variant.effects);
   }
   const auto microseconds = run(nullptr);
   if (!microseconds) return microseconds.error();

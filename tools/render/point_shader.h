@@ -30,11 +30,6 @@ class PointShader {
   /// What the shader of the last points was specialised to, the first where wraps differ.
   const ShaderVariant& variant() const { return batches_.front().variant; }
 
-  /// Bytes of the coefficients in their storage, in the frame shaded last.
-  std::size_t coefficientBytes() const { return buffers_.coefficientBytes(0); }
-  /// The shader's effects in that frame.
-  Effects effects() const { return effects_; }
-
  private:
   struct Entry {
     ShaderVariant variant;
@@ -70,7 +65,6 @@ class PointShader {
   std::vector<std::uint32_t> order_;  // of the points in the buffer
   Effects lightKinds_;
   std::vector<float> wraps_;
-  Effects effects_;
   int repeats_ = 1;
   ShadingPlace place_;
   std::vector<Batch> batches_;

@@ -18,6 +18,10 @@ enum class RigStorage {
   texture16,
 };
 
+inline bool isTexture(RigStorage storage) {
+  return storage == RigStorage::texture32 || storage == RigStorage::texture16;
+}
+
 enum class RenderReference { none, cpu, truth };
 
 struct RenderOptions {
@@ -29,7 +33,6 @@ struct RenderOptions {
   bool perVertex = false;
   RenderReference against = RenderReference::none;
   std::filesystem::path shaderCache = {};  // file that keeps specialised shaders; "": none
-  bool validation = false;                 // Vulkan's validation layer watches; its messages are errors
 };
 
 /// FILE.png becomes FILE-0042.png where there are several frames.

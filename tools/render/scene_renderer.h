@@ -48,7 +48,6 @@ class SceneRenderer {
   int pipelines() const { return static_cast<int>(shelf_.size()); }
   /// What the shaders of the last frame were specialised to, over all draws.
   Effects effects() const { return effects_; }
-  std::size_t coefficientBytes(std::size_t rig) const { return buffers_.coefficientBytes(rig); }
 
  private:
   struct Drawn {

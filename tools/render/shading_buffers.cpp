@@ -24,7 +24,6 @@ enum Binding : std::uint32_t {
 constexpr int kNearVec4 = sizeof(GpuNearLight) / sizeof(GpuVec4);
 
 bool isHalf(RigStorage storage) { return storage == RigStorage::float16 || storage == RigStorage::texture16; }
-bool wantsTexture(RigStorage storage) { return storage == RigStorage::texture32 || storage == RigStorage::texture16; }
 
 /// A light as four vec4 of floats: what shaders fetch from a texel buffer holds no integers.
 void putNearLight(const NearLight& light, GpuVec4* out) {
@@ -57,7 +56,7 @@ std::optional<Error> ShadingBuffers::createBuffers(const GpuContext& context, co
   int vec4 = 0, gauss = 0, texels = 0, near = room.lights;
   for (const RigRunner* runner : room.rigs) {
     places_.push_back({vec4, 0, gauss});
-    const auto size = wantsTexture(storage) ? textureSize(runner->rig(), runner->bands()) : std::nullopt;
+    const auto size = isTexture(storage) ? textureSize(runner->rig(), runner->bands()) : std::nullopt;
     std::optional<Texture3d> texture;
     if (size) {
       texels = std::max(texels, size->texels());
@@ -68,7 +67,6 @@ std::optional<Error> ShadingBuffers::createBuffers(const GpuContext& context, co
       texture = *created;
     }
     textures_.push_back(texture);
-    coefficientBytes_.push_back(0);
     vec4 += packRigBound(runner->rig(), runner->bands());
     gauss += packGaussNodesBound(runner->rig());
     near += kMaxNearLights;
@@ -141,7 +139,6 @@ std::uint32_t ShadingBuffers::material(float wrap) const {
 
 ShadingPlace ShadingBuffers::pack(std::size_t i, const RigRunner& runner) {
   GpuRig packed;
-  std::size_t texel = isHalf(storage_) ? sizeof(GpuHalf4) : sizeof(GpuVec4);
   if (textures_[i]) {
     const auto size = textures_[i]->size();
     const std::size_t texels =
@@ -156,13 +153,9 @@ ShadingPlace ShadingBuffers::pack(std::size_t i, const RigRunner& runner) {
       textures_[i]->stage(std::as_bytes(to));
     }
     packHighBand(runner.highBandVector(), places_[i].offset, coefficients_->as<GpuVec4>(), packed);
-    texel = textures_[i]->format() == TextureFormat::rgba16f ? sizeof(GpuHalf4) : sizeof(GpuVec4);
-    coefficientBytes_[i] = texels * texel;
   } else {
     packed = storage_ == RigStorage::float16 ? runner.pack(places_[i], coefficients_->as<GpuHalf4>())
                                              : runner.pack(places_[i], coefficients_->as<GpuVec4>());
-    if (storage_ != RigStorage::float16) texel = sizeof(GpuVec4);
-    coefficientBytes_[i] = static_cast<std::size_t>(packed.vectors * gpuVectorSize(runner.bands())) * texel;
   }
   const std::size_t at = i * uniformStep_;
   std::memcpy(objects_->bytes().data() + at, &packed, sizeof packed);

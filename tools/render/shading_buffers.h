@@ -33,10 +33,6 @@ class ShadingBuffers {
   const GpuBindings& bindings(std::size_t rig) const { return bindings_[rig]; }
   /// Bytes, of Material.
   std::uint32_t material(float wrap) const;
-  /// Do the rig's coefficients come from a texture?
-  bool isTexture(std::size_t rig) const { return textures_[rig].has_value(); }
-  /// Bytes of the rig's coefficients in their storage, in the frame packed last.
-  std::size_t coefficientBytes(std::size_t rig) const { return coefficientBytes_[rig]; }
 
   /// For points.comp: what it reads and writes.
   std::optional<Error> setPoints(const GpuBuffer& points, const GpuBuffer& results);
@@ -60,7 +56,6 @@ class ShadingBuffers {
   std::size_t uniformStep_ = 256;
   std::vector<float> wraps_;
   std::vector<GpuRigPlace> places_;
-  std::vector<std::size_t> coefficientBytes_;
   std::vector<std::optional<Texture3d>> textures_;
   std::vector<GpuVec4> texels_;  // working memory of the textures
   std::vector<GpuHalf4> halfTexels_;
