@@ -17,15 +17,17 @@ void reserveAll(std::size_t count, Arrays&... arrays) {
 
 void LightSet::clear() noexcept {
   clearAll(directional_.dx, directional_.dy, directional_.dz, directional_.r, directional_.g, directional_.b);
-  for (Local* l : {&point_, &spot_, &sphere_}) clearAll(l->x, l->y, l->z, l->radius, l->range, l->r, l->g, l->b);
+  for (Local* l : {&point_, &spot_, &sphere_, &disk_}) clearAll(l->x, l->y, l->z, l->radius, l->range, l->r, l->g, l->b);
   clearAll(cone_.dx, cone_.dy, cone_.dz, cone_.inner, cone_.outer);
+  clearAll(face_.dx, face_.dy, face_.dz, face_.twoSided);
 }
 
 void LightSet::reserve(int perKind) {
   const auto n = static_cast<std::size_t>(perKind);
   reserveAll(n, directional_.dx, directional_.dy, directional_.dz, directional_.r, directional_.g, directional_.b);
-  for (Local* l : {&point_, &spot_, &sphere_}) reserveAll(n, l->x, l->y, l->z, l->radius, l->range, l->r, l->g, l->b);
+  for (Local* l : {&point_, &spot_, &sphere_, &disk_}) reserveAll(n, l->x, l->y, l->z, l->radius, l->range, l->r, l->g, l->b);
   reserveAll(n, cone_.dx, cone_.dy, cone_.dz, cone_.inner, cone_.outer);
+  reserveAll(n, face_.dx, face_.dy, face_.dz, face_.twoSided);
 }
 
 void LightSet::Local::push(Vec3 position, float sphereRadius, float windowRange, Rgb colour) {
@@ -60,5 +62,14 @@ void LightSet::add(const SpotLight& light) {
 }
 
 void LightSet::add(const SphereLight& light) { sphere_.push(light.position, light.radius, kNoRange, light.radiance); }
+
+
+void LightSet::add(const DiskLight& light) {
+  disk_.push(light.position, light.radius, kNoRange, light.radiance);
+  face_.dx.push_back(light.direction.x);
+  face_.dy.push_back(light.direction.y);
+  face_.dz.push_back(light.direction.z);
+  face_.twoSided.push_back(light.twoSided ? 1 : 0);
+}
 
 }  // namespace rigel

@@ -14,6 +14,7 @@ RgbD exactIrradiance(const DirectionalLight& light, Vec3 p, Vec3 n, float wrap =
 RgbD exactIrradiance(const PointLight& light, Vec3 p, Vec3 n, float wrap = 0) noexcept;
 RgbD exactIrradiance(const SpotLight& light, Vec3 p, Vec3 n, float wrap = 0) noexcept;
 RgbD exactIrradiance(const SphereLight& light, Vec3 p, Vec3 n, float wrap = 0) noexcept;
+RgbD exactIrradiance(const DiskLight& light, Vec3 p, Vec3 n, float wrap = 0) noexcept;
 
 /// Sum over all lights of the set.
 RgbD exactIrradiance(const LightSet& lights, Vec3 p, Vec3 n, float wrap = 0) noexcept;

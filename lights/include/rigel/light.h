@@ -1,12 +1,13 @@
 // The light kinds and LightSet, their structure-of-arrays container.
 //
-// Every local light is a sphere of uniform radiance L: what is called a point light is one whose radius is small and
-// whose radiance is I/(pi radius^2), so that it gives I/d^2 outside and stays bounded inside; a spot light is a point
-// light times a cone that is evaluated where the receiver stands.
+// Every local light but the disk is a sphere of uniform radiance L: what is called a point light is one whose radius is
+// small and whose radiance is I/(pi radius^2), so that it gives I/d^2 outside and stays bounded inside; a spot light is a
+// point light times a cone that is evaluated where the receiver stands.
 #pragma once
 
 #include <rigel/vec3.h>
 
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
@@ -55,16 +56,29 @@ struct SphereLight {
   Rgb radiance;
 };
 
+/// A flat disk of uniform radiance [W/(m2 sr)] that emits along `direction` (need not be unit), and backwards too where
+/// `twoSided`. On its face a receiver sees the hemisphere filled; behind a one-sided disk, and in the plane of any, no
+/// light. Without a direction, or with a radius that is not positive, it contributes nothing.
+struct DiskLight {
+  Vec3 position;
+  Vec3 direction{0, -1, 0};
+  float radius = 0;
+  Rgb radiance;
+  bool twoSided = false;
+};
+
 /// What a light's brightness is proportional to, whatever its kind: irradiance [W/m2] of a directional light, intensity
-/// [W/sr] of a point or spot light, radiance [W/(m2 sr)] of a sphere light. SH and irradiance are linear in it.
+/// [W/sr] of a point or spot light, radiance [W/(m2 sr)] of a sphere or disk light. SH and irradiance are linear in it.
 constexpr Rgb colourOf(const DirectionalLight& light) noexcept { return light.irradiance; }
 constexpr Rgb colourOf(const PointLight& light) noexcept { return light.intensity; }
 constexpr Rgb colourOf(const SpotLight& light) noexcept { return light.intensity; }
 constexpr Rgb colourOf(const SphereLight& light) noexcept { return light.radiance; }
+constexpr Rgb colourOf(const DiskLight& light) noexcept { return light.radiance; }
 constexpr Rgb& colourOf(DirectionalLight& light) noexcept { return light.irradiance; }
 constexpr Rgb& colourOf(PointLight& light) noexcept { return light.intensity; }
 constexpr Rgb& colourOf(SpotLight& light) noexcept { return light.intensity; }
 constexpr Rgb& colourOf(SphereLight& light) noexcept { return light.radiance; }
+constexpr Rgb& colourOf(DiskLight& light) noexcept { return light.radiance; }
 
 /// All lights of a frame, structure of arrays per kind. Filling it allocates only while it grows; `clear` keeps
 /// capacity. `index` arguments run within a kind. Not thread safe for writers; any number of readers.
@@ -77,11 +91,13 @@ class LightSet {
   void add(const PointLight& light);
   void add(const SpotLight& light);
   void add(const SphereLight& light);
+  void add(const DiskLight& light);
 
   int directionalCount() const noexcept { return static_cast<int>(directional_.r.size()); }
   int pointCount() const noexcept { return static_cast<int>(point_.r.size()); }
   int spotCount() const noexcept { return static_cast<int>(spot_.r.size()); }
   int sphereCount() const noexcept { return static_cast<int>(sphere_.r.size()); }
+  int diskCount() const noexcept { return static_cast<int>(disk_.r.size()); }
   int size() const noexcept { return directionalCount() + pointCount() + spotCount() + sphereCount(); }
 
   DirectionalLight directional(int index) const noexcept {
@@ -103,6 +119,14 @@ class LightSet {
     const Local& l = sphere_;
     return {l.position(index), l.radius[index], l.colour(index)};
   }
+  DiskLight disk(int index) const noexcept {
+    const Local& l = disk_;
+    return {l.position(index),
+            {face_.dx[index], face_.dy[index], face_.dz[index]},
+            l.radius[index],
+            l.colour(index),
+            face_.twoSided[index] != 0};
+  }
 
   /// `f(light)` with light `i` of all, counted in the order directional, point, spot, sphere; its result.
   template <class F>
@@ -120,16 +144,20 @@ class LightSet {
   struct Directional {
     Floats dx, dy, dz, r, g, b;
   } directional_;
-  struct Local {  // point, and the point part of spot; colour is intensity, or radiance for spheres
+  struct Local {  // of each kind what a point light has; colour is intensity, or radiance for spheres and disks
     Floats x, y, z, radius, range, r, g, b;
 
     Vec3 position(int i) const noexcept { return {x[i], y[i], z[i]}; }
     Rgb colour(int i) const noexcept { return {r[i], g[i], b[i]}; }
     void push(Vec3 position, float sphereRadius, float windowRange, Rgb colour);
-  } point_, spot_, sphere_;
+  } point_, spot_, sphere_, disk_;
   struct Cone {
     Floats dx, dy, dz, inner, outer;
   } cone_;
+  struct Face {
+    Floats dx, dy, dz;
+    std::vector<std::uint8_t> twoSided;
+  } face_;
 };
 
 }  // namespace rigel

@@ -9,15 +9,15 @@ namespace rigel {
 
 /// A light of any kind as the near path reads it.
 struct NearLight {
-  enum class Kind : int { directional, point, spot, sphere };
+  enum class Kind : int { directional, point, spot, sphere, disk };
   Kind kind = Kind::sphere;
   float share = 1;  // of the light that is evaluated here; the rest is in the rig
   Vec3 position;    // directional: unit vector towards the light
   float radius = 0;
   Rgb colour;  // as in the light's own struct, not yet multiplied by share
   float range = kNoRange;
-  Vec3 axis;  // spot: unit, the way the light travels
-  float cosOuter = -1, cosInner = 1;
+  Vec3 axis;  // spot, disk: unit, the way the light travels
+  float cosOuter = -1, cosInner = 1;  // spot; disk: cosOuter 0 where it is one-sided, -1 where both faces emit
 };
 
 /// `share` is held within [0, 1] (NaN: 0). A light that by light.h contributes nothing (NaN, no direction, no radius,
@@ -26,6 +26,7 @@ NearLight nearLight(const DirectionalLight& light, float share = 1) noexcept;
 NearLight nearLight(const PointLight& light, float share = 1) noexcept;
 NearLight nearLight(const SpotLight& light, float share = 1) noexcept;
 NearLight nearLight(const SphereLight& light, float share = 1) noexcept;
+NearLight nearLight(const DiskLight& light, float share = 1) noexcept;
 
 /// The light as shaders read it, what they would have to divide divided.
 GpuNearLight gpuNearLight(const NearLight& light) noexcept;

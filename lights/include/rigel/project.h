@@ -29,6 +29,8 @@ template <int B>
 RadianceSH<B> project(const SpotLight& light, Vec3 p, float footprint = 0) noexcept;
 template <int B>
 RadianceSH<B> project(const SphereLight& light, Vec3 p, float footprint = 0) noexcept;
+template <int B>
+RadianceSH<B> project(const DiskLight& light, Vec3 p, float footprint = 0) noexcept;
 
 /// SH and its derivative by p. Range window and spot cone enter by the product rule. The true derivative is unbounded
 /// at a sphere's surface (1/c): c is held >= kMinGradientCosine there.
@@ -47,6 +49,8 @@ template <int B>
 ProjectionWithGradient<B> projectWithGradient(const SpotLight& light, Vec3 p) noexcept;
 template <int B>
 ProjectionWithGradient<B> projectWithGradient(const SphereLight& light, Vec3 p) noexcept;
+template <int B>
+ProjectionWithGradient<B> projectWithGradient(const DiskLight& light, Vec3 p) noexcept;
 
 /// Sum over all lights of the set.
 template <int B>

@@ -105,6 +105,7 @@ class LightBounds {
   LightBound operator()(const PointLight& light) const noexcept;
   LightBound operator()(const SpotLight& light) const noexcept;
   LightBound operator()(const SphereLight& light) const noexcept;
+  LightBound operator()(const DiskLight& light) const noexcept;
 
  private:
   RigFrame worldFromRig_;

@@ -27,19 +27,20 @@ const int kGpuDirectional = 0;
 const int kGpuPoint = 1;
 const int kGpuSpot = 2;
 const int kGpuSphere = 3;
+const int kGpuDisk = 4;
 
 /// A light evaluated exactly at every point, made by gpuNearLight (near_light.h). Where s = r/d, its irradiance is
 /// colour (extent / max(d, r))^2 times a function of s and the normal.
 struct GpuNearLight {
   vec3 position;  // m, world; directional: unit vector towards the light
   float radius;   // m
-  vec3 colour;    // of the light's own struct, times its share; sphere: times pi
+  vec3 colour;    // of the light's own struct, times its share; sphere, disk: times pi
   int kind;
-  vec3 axis;               // spot: unit, the way the light travels; else 0
+  vec3 axis;               // spot, disk: unit, the way the light travels; else 0
   float inverseRange;      // 1/m; 0: no window
-  float cosOuter;          // not a spot: -1
+  float cosOuter;          // disk: 0 where it is one-sided; else, spots apart, -1
   float inverseConeWidth;  // 1 / (cosInner - cosOuter); not a spot: 1, so that the cone is 1 everywhere
-  float extent;            // m; sphere: the radius; else 1
+  float extent;            // m; sphere, disk: the radius; else 1
   float unused;
 };
 
