@@ -28,6 +28,7 @@ Effects lightEffects(const LightSet& lights) noexcept {
   if (lights.pointCount() > 0) effects.add(Effect::light_point);
   if (lights.spotCount() > 0) effects.add(Effect::light_spot);
   if (lights.sphereCount() > 0) effects.add(Effect::light_sphere);
+  if (lights.diskCount() > 0) effects.add(Effect::light_disk);
   return effects;
 }
 
@@ -48,9 +49,13 @@ Effects nearEffects(std::span<const NearLight> lights, float wrap) noexcept {
       case NearLight::Kind::sphere:
         effects.add(Effect::light_near_sphere);
         break;
+      case NearLight::Kind::disk:
+        effects.add(Effect::light_near_disk);
+        break;
     }
   }
   if (!effects.empty() && wrap != 0) effects.add(Effect::light_near_wrap);
+  if (effects.has(Effect::light_near_disk) && wrap != 0) effects.add(kWrappedDisk);
   return effects;
 }
 

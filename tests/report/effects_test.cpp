@@ -49,6 +49,10 @@ TEST(ReportEffects, NameNearLightsByTheirKind) {
     EXPECT_THAT(effectsOf({}, {&wrap, 1}, {}, {&object, 1}),
                 testing::UnorderedElementsAre("light.near." + kind, "light.near.wrap", "material.wrap"));
   }
+  const ObjectReport object = withNear("disk", 0.5f);
+  EXPECT_THAT(effectsOf({}, {}, {}, {&object, 1}), ElementsAre("light.near.disk"));
+  EXPECT_THAT(effectsOf({}, {&wrap, 1}, {}, {&object, 1}),
+              ElementsAre("light.near.disk", "light.near.disk_quadrature", "light.near.wrap", "material.wrap"));
 }
 
 }  // namespace

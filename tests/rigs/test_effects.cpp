@@ -17,6 +17,7 @@ LightSet oneOfEach() {
   lights.add(PointLight{{2, 2, 0}, {1, 1, 1}});
   lights.add(SpotLight{{0, 2, 2}, {0, -1, -1}, {1, 1, 1}});
   lights.add(SphereLight{{-2, 1, 0}, 0.2f, {5, 5, 5}});
+  lights.add(DiskLight{{0, 3, 0}, {0, -1, 0}, 0.4f, {5, 5, 5}});
   return lights;
 }
 
@@ -32,6 +33,7 @@ TEST(Effects, NamesAndIdsAreTheirOwn) {
   EXPECT_LT(*ids.rbegin(), 64) << "they are bits";
   EXPECT_TRUE(names.contains("light.near.sphere"));
   EXPECT_TRUE(names.contains("rig.high_band"));
+  EXPECT_TRUE(names.contains("light.near.disk_quadrature"));
 }
 
 TEST(Effects, Sets) {
@@ -49,13 +51,18 @@ TEST(Effects, Sets) {
 
 TEST(Effects, OfLights) {
   EXPECT_TRUE(lightEffects({}).empty());
-  EXPECT_EQ(lightEffects(oneOfEach()),
-            (Effects{Effect::light_directional, Effect::light_point, Effect::light_spot, Effect::light_sphere}));
+  EXPECT_EQ(lightEffects(oneOfEach()), (Effects{Effect::light_directional, Effect::light_point, Effect::light_spot,
+                                                Effect::light_sphere, Effect::light_disk}));
   const NearLight near[] = {nearLight(SphereLight{{0, 1, 0}, 0.1f, {1, 1, 1}}),
                             nearLight(PointLight{{0, 1, 0}, {1, 1, 1}}, 0)};
   EXPECT_EQ(nearEffects(near, 0), Effects{Effect::light_near_sphere}) << "the point light has no share";
   EXPECT_EQ(nearEffects(near, 0.5f), (Effects{Effect::light_near_sphere, Effect::light_near_wrap}));
   EXPECT_TRUE(nearEffects({}, 0.5f).empty());
+  NearLight disk;
+  disk.kind = NearLight::Kind::disk;
+  EXPECT_EQ(nearEffects({&disk, 1}, 0), Effects{Effect::light_near_disk}) << "Lambert takes no bands";
+  EXPECT_EQ(nearEffects({&disk, 1}, 0.5f),
+            (Effects{Effect::light_near_disk, Effect::light_near_wrap, Effect::light_near_diskQuadrature}));
 }
 
 TEST(Effects, OfRigs) {

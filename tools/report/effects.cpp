@@ -30,6 +30,7 @@ std::vector<std::string> effectsOf(const LightSet& lights, std::span<const float
     }
   }
   if (effects.hasAny(kNearEffects) && effects.has(Effect::material_wrap)) effects.add(Effect::light_near_wrap);
+  if (effects.has(Effect::light_near_disk) && effects.has(Effect::light_near_wrap)) effects.add(kWrappedDisk);
 
   std::vector<std::string> names;
   for (const Effect effect : kAllEffects)

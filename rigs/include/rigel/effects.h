@@ -51,13 +51,19 @@ class Effects {
 };
 
 /// Everything near: what a frame without near lights lacks.
-inline constexpr Effects kNearEffects{Effect::light_near_directional, Effect::light_near_point, Effect::light_near_spot,
-                                      Effect::light_near_sphere, Effect::light_near_wrap};
+inline constexpr Effects kNearEffects{Effect::light_near_directional, Effect::light_near_point,
+                                      Effect::light_near_spot,        Effect::light_near_sphere,
+                                      Effect::light_near_wrap,        Effect::light_near_disk,
+                                      Effect::light_near_diskTable,   Effect::light_near_diskQuadrature};
+
+/// What shaders take the bands of a near disk from where the material wraps: light_near_diskTable or
+/// light_near_diskQuadrature. This one is the faster (shaders/README.md).
+inline constexpr Effect kWrappedDisk = Effect::light_near_diskQuadrature;
 
 /// The kinds of light that the set holds.
 Effects lightEffects(const LightSet& lights) noexcept;
 
-/// The kinds of near light with a share above 0, and their wrap where the material has one.
+/// The kinds of near light with a share above 0, and their wrap where the material has one: of disks by kWrappedDisk.
 Effects nearEffects(std::span<const NearLight> lights, float wrap) noexcept;
 
 /// What the rig's family calls for, `auto` and its choice aside.

@@ -24,6 +24,10 @@
   X(rig_tensor, 14)            \
   X(rig_gauss, 15)             \
   X(rig_texture, 16)           \
-  X(rig_highBand, 17)
+  X(rig_highBand, 17)          \
+  X(light_disk, 18)            \
+  X(light_near_disk, 19)       \
+  X(light_near_diskTable, 20)  \
+  X(light_near_diskQuadrature, 21)
 
 #endif
