@@ -219,6 +219,25 @@ TEST(BadInput, LightsAndMaterials) {
     addLight(g, light);
     test::expectLoadError(g, message);
   }
+  const std::pair<json, std::string> disks[] = {
+      {{{"type", "disk"}}, "/extras/rigel: has no \"radius\""},
+      {{{"type", "disk"}, {"radius", 0}}, "/extras/rigel/radius: must be more than 0, is 0"},
+      {{{"type", "disk"}, {"radius", 1e-60}}, "/extras/rigel/radius: must be more than 0, is 1e-60"},
+      {{{"type", "disk"}, {"radius", "1"}}, "/extras/rigel/radius: must be a number, is string"},
+      {{{"type", "disk"}, {"radius", 1e-30}},
+       "/extras/rigel/radius: 1e-30 is so small that the radiance does not fit a float"},
+      {{{"type", "disk"}, {"radius", 1}, {"twoSided", 1}}, "/extras/rigel/twoSided: must be true or false, is number"},
+      {{{"type", "tube"}, {"radius", 1}}, "/extras/rigel/type: \"tube\" is not known (disk is)"},
+      {{{"type", 1}}, "/extras/rigel/type: must be a string, is number"},
+  };
+  for (const auto& [disk, message] : disks) {
+    GltfMaker g = GltfMaker::triangle();
+    addLight(g, {{"type", "point"}, {"extras", {{"rigel", disk}}}});
+    test::expectLoadError(g, at + message);
+  }
+  GltfMaker sun = GltfMaker::triangle();
+  addLight(sun, {{"type", "directional"}, {"extras", {{"rigel", {{"type", "disk"}, {"radius", 1}}}}}});
+  test::expectLoadError(sun, at + "/type: \"directional\": a disk takes the intensity [cd] of a point or spot light");
   for (const double wrap : {-0.3, 1.01}) {
     GltfMaker g = GltfMaker::triangle();
     g.json["materials"] = json::array({{{"extras", {{"wrap", wrap}}}}});
@@ -227,6 +246,30 @@ TEST(BadInput, LightsAndMaterials) {
   GltfMaker g = GltfMaker::triangle();
   g.json["materials"] = json::array({{{"pbrMetallicRoughness", {{"baseColorFactor", {2, 0, 0, 1}}}}}});
   test::expectLoadError(g, "/materials/0/pbrMetallicRoughness/baseColorFactor: must lie in [0, 1], has 2");
+}
+
+TEST(BadInput, AreaLights) {
+  const std::string at = "/extensions/EXT_lights_area/lights";
+  const std::pair<json, std::string> lights[] = {
+      {{{"type", "sphere"}}, at + "/0/type: \"sphere\" is none of rect, disk"},
+      {{{"type", "disk"}, {"size", 0}}, at + "/0/size: must be more than 0, is 0"},
+      {{{"type", "disk"}, {"size", -1}}, at + "/0/size: must be more than 0, is -1"},
+      {{{"type", "disk"}, {"intensity", -1}}, at + "/0/intensity: must be at least 0, is -1"},
+      {{{"type", "disk"}, {"color", {1, 1}}}, at + "/0/color: must have 3 numbers, has 2"},
+  };
+  for (const auto& [light, message] : lights) {
+    GltfMaker g = GltfMaker::triangle();
+    g.json["extensions"]["EXT_lights_area"]["lights"].push_back(light);
+    test::expectLoadError(g, message);
+  }
+  GltfMaker g = GltfMaker::triangle();
+  g.json["extensions"]["EXT_lights_area"]["lights"].push_back({{"type", "disk"}});
+  g.json["nodes"][0]["extensions"]["EXT_lights_area"]["light"] = 1;
+  test::expectLoadError(g, "/nodes/0/extensions/EXT_lights_area/light: light 1 does not exist (there are 1)");
+  g.json["nodes"][0]["extensions"]["EXT_lights_area"]["light"] = 0;
+  addLight(g, {{"type", "point"}});
+  g.json["nodes"][0]["extensions"]["KHR_lights_punctual"]["light"] = 0;
+  test::expectLoadError(g, "/nodes/0: has a punctual and an area light: a node may carry one");
 }
 
 }  // namespace

@@ -183,14 +183,12 @@ TEST(Load, Lights) {
   lights.push_back({{"type", "spot"}, {"intensity", 2}, {"range", 7}, {"spot", {{"innerConeAngle", 0.1}}}});
   lights.push_back(
       {{"type", "point"}, {"intensity", 10}, {"range", 5}, {"extras", {{"radius", 0.5}}}, {"name", "ball"}});
-  lights.push_back({{"type", "point"}, {"name", "panel"}, {"extras", {{"rigel", {{"type", "disk"}, {"radius", 1}}}}}});
   lights.push_back({{"type", "point"}, {"intensity", 4}, {"extras", "anything"}});
-  for (int i = 0; i < 6; ++i) {
+  for (int i = 0; i < 5; ++i) {
     json node;
     node["extensions"]["KHR_lights_punctual"]["light"] = i;
     g.json["nodes"].push_back(node);
   }
-  g.json["extensions"]["EXT_lights_area"]["lights"].push_back({{"name", "window"}});
   const Scene scene = load(g);
   ASSERT_EQ(scene.lights.size(), 5u);
   EXPECT_EQ(std::get<DirectionalLight>(scene.lights[0].shape).irradiance, (Rgb{3, 1.5f, 0}));
@@ -205,11 +203,63 @@ TEST(Load, Lights) {
   const auto& sphere = std::get<SphereLight>(scene.lights[3].shape);
   EXPECT_EQ(sphere.radius, 0.5f);
   EXPECT_EQ(sphere.radiance.r, static_cast<float>(10 / (kPi * 0.25)));
-  EXPECT_EQ(scene.nodes[5].light, -1);  // the disk
-  EXPECT_EQ(std::get<PointLight>(scene.lights[scene.nodes[6].light].shape).intensity.r, 4);
-  EXPECT_THAT(scene.notes, ElementsAre("area light \"window\" ignored: not supported by this version",
-                                       "range of sphere light \"ball\" ignored",
-                                       "disk light \"panel\" ignored: not supported by this version"));
+  EXPECT_EQ(std::get<PointLight>(scene.lights[scene.nodes[5].light].shape).intensity.r, 4);
+  EXPECT_THAT(scene.notes, ElementsAre("range of sphere light \"ball\" ignored"));
+}
+
+TEST(Load, DisksOutOfPunctualLights) {
+  GltfMaker g = GltfMaker::triangle();
+  json& lights = g.json["extensions"]["KHR_lights_punctual"]["lights"];
+  const json disk = {{"rigel", {{"type", "disk"}, {"radius", 0.5}}}};
+  lights.push_back({{"type", "point"}, {"intensity", 10}, {"color", {1, 0.5, 0}}, {"extras", disk}});
+  lights.push_back({{"type", "spot"}, {"name", "panel"}, {"range", 5}, {"spot", json::object()}, {"extras", disk}});
+  lights.push_back({{"type", "spot"}, {"spot", {{"outerConeAngle", kPi / 2}}}, {"extras", disk}});
+  lights.back()["extras"]["rigel"]["twoSided"] = true;
+  const Scene scene = load(g);
+  ASSERT_EQ(scene.lights.size(), 3u);
+  const auto& first = std::get<DiskLight>(scene.lights[0].shape);
+  EXPECT_EQ(first.radius, 0.5f);
+  EXPECT_EQ(first.direction, (Vec3{0, 0, -1}));
+  EXPECT_FALSE(first.twoSided);
+  // From afar and on its axis, pi r^2 L is the intensity.
+  EXPECT_EQ(first.radiance, (Rgb{static_cast<float>(10 / (kPi * 0.25)), static_cast<float>(5 / (kPi * 0.25)), 0}));
+  EXPECT_FALSE(scene.lights[0].scalesWithNode);
+  EXPECT_TRUE(std::get<DiskLight>(scene.lights[2].shape).twoSided);
+  EXPECT_THAT(scene.notes, ElementsAre("range of disk light \"panel\" ignored",
+                                       "cone of disk light \"panel\" ignored: disks emit into the whole half space"));
+}
+
+TEST(Load, AreaLightsOfTheDraft) {
+  GltfMaker g = GltfMaker::triangle();
+  g.json["extensions"]["KHR_lights_punctual"]["lights"].push_back({{"type", "point"}});
+  json& lights = g.json["extensions"]["EXT_lights_area"]["lights"];
+  lights.push_back({{"type", "rect"}, {"name", "window"}, {"rect", {{"aspect", 2}}}});
+  lights.push_back({{"type", "disk"}, {"size", 3}, {"intensity", 200}, {"color", {1, 0.5, 0}}, {"name", "lamp"}});
+  lights.push_back({{"type", "disk"}, {"extras", {{"rigel", {{"twoSided", true}}}}}});
+  for (int i = 0; i < 3; ++i) {
+    json node;
+    node["extensions"]["EXT_lights_area"]["light"] = i;
+    g.json["nodes"].push_back(node);
+  }
+  g.json["nodes"][1]["extensions"]["KHR_lights_punctual"]["light"] = 0;  // beside the rect, which is not read
+  g.json["extensionsUsed"] = {"KHR_lights_punctual", "EXT_lights_area"};
+  g.json["extensionsRequired"] = {"EXT_lights_area"};
+  const Scene scene = load(g);
+  ASSERT_EQ(scene.lights.size(), 3u);
+  EXPECT_EQ(scene.nodes[1].light, 0);
+  EXPECT_EQ(scene.nodes[2].light, 1);
+  EXPECT_EQ(scene.nodes[3].light, 2);
+  EXPECT_TRUE(scene.lights[1].scalesWithNode);
+  const auto& lamp = std::get<DiskLight>(scene.lights[1].shape);
+  EXPECT_EQ(lamp.radius, 1.5f);
+  EXPECT_EQ(lamp.radiance, (Rgb{200, 100, 0}));
+  EXPECT_FALSE(lamp.twoSided);
+  const auto& plain = std::get<DiskLight>(scene.lights[2].shape);
+  EXPECT_EQ(plain.radius, 0.5f);
+  EXPECT_EQ(plain.radiance, (Rgb{1000, 1000, 1000}));
+  EXPECT_TRUE(plain.twoSided);
+  EXPECT_THAT(scene.notes,
+              ElementsAre("area light \"window\" ignored: rect is not supported by this version (disk is)"));
 }
 
 TEST(Load, ExtrasMarkNodesAndMaterials) {

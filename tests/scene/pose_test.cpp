@@ -295,7 +295,7 @@ TEST(Pose, LightsTakePositionAndDirectionButNoScale) {
   poseScene(scene, kRestPose, 0, pose);
   PosedLights lights;
   poseLights(scene, pose, lights);
-  ASSERT_EQ(lights.names, (std::vector<std::string>{"point", "spot", "sphere"}));
+  ASSERT_EQ(lights.names, (std::vector<std::string>{"point", "spot", "sphere", "panel", "area"}));
   ASSERT_EQ(lights.set.pointCount(), 1);
   ASSERT_EQ(lights.set.spotCount(), 1);
   ASSERT_EQ(lights.set.sphereCount(), 1);
@@ -308,6 +308,26 @@ TEST(Pose, LightsTakePositionAndDirectionButNoScale) {
   EXPECT_EQ(spot.radius, 0.02f);
   EXPECT_EQ(spot.range, 12.5f);
   EXPECT_EQ(lights.set.sphere(0).radius, 0.3f);
+}
+
+TEST(Pose, DisksFaceAlongTheirNodesAndGrowWhereTheirExtensionSaysSo) {
+  Scene scene = test::everythingScene();
+  scene.nodes[9].scale = {4, 4, 4};
+  ScenePose pose;
+  poseScene(scene, kRestPose, 0, pose);
+  PosedLights lights;
+  poseLights(scene, pose, lights);
+  ASSERT_EQ(lights.set.diskCount(), 2);
+  const DiskLight panel = lights.set.disk(0), area = lights.set.disk(1);
+  EXPECT_EQ(panel.position, (Vec3{0, 3, 0}));
+  // Turned about x by -2 acos(0.8), that is cos 0.28, sin -0.96: -z goes to (0, -0.96, -0.28).
+  EXPECT_NEAR(panel.direction.y, -0.96, 1e-6);
+  EXPECT_NEAR(panel.direction.z, -0.28, 1e-6);
+  EXPECT_EQ(panel.radius, 0.7f) << "punctual lights ignore scale";
+  EXPECT_FALSE(panel.twoSided);
+  EXPECT_NEAR(area.radius, 0.3, 1e-7) << "the largest of 2, 3, 0.5 counts";
+  EXPECT_EQ(area.radiance, (Rgb{9, 0.7f, 1.3f}));
+  EXPECT_TRUE(area.twoSided);
 }
 
 TEST(Pose, OneLightOnTwoNodesIsTwoLightsWithTwoNames) {

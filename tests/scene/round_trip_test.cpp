@@ -5,7 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include <fstream>
+#include <functional>
 #include <iterator>
 
 namespace rigel::tools {
@@ -73,6 +76,12 @@ void expectSame(const LightShape& a, const LightShape& b) {
           EXPECT_EQ(x.innerAngle, y.innerAngle);
           EXPECT_EQ(x.outerAngle, y.outerAngle);
         }
+        if constexpr (requires { x.direction; }) {
+          EXPECT_EQ(x.direction, y.direction);
+        }
+        if constexpr (requires { x.twoSided; }) {
+          EXPECT_EQ(x.twoSided, y.twoSided);
+        }
       },
       a);
 }
@@ -112,6 +121,7 @@ void expectSame(const Scene& a, const Scene& b) {
     SCOPED_TRACE("light " + std::to_string(l));
     EXPECT_EQ(a.lights[l].name, b.lights[l].name);
     expectSame(a.lights[l].shape, b.lights[l].shape);
+    EXPECT_EQ(a.lights[l].scalesWithNode, b.lights[l].scalesWithNode);
   }
   ASSERT_EQ(a.animations.size(), b.animations.size());
   for (std::size_t i = 0; i < a.animations.size(); ++i) {
@@ -161,18 +171,56 @@ TEST(RoundTrip, AllSamples) {
   for (const Sample& sample : samples()) roundTrip(sample.make(), ".glb");
 }
 
-TEST(RoundTrip, SphereLightsOfAnySizeAndPower) {
+/// A light of every radius and radiance, each on a node of its own.
+Scene lightsOfAnySizeAndPower(const std::function<SceneLight(float, Rgb)>& make) {
   Scene scene = test::triangleScene({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
   int node = 0;
   for (const float radius : {1e-6f, 0.01f, 0.333333f, 17.f, 1e6f}) {
     for (const float radiance : {1e-6f, 0.1f, 7.77f, 1e10f}) {
-      scene.lights.push_back({"s", SphereLight{{}, radius, {radiance, radiance / 3, radiance * 0.7f}}});
+      scene.lights.push_back(make(radius, {radiance, radiance / 3, radiance * 0.7f}));
       scene.nodes.push_back({});
       scene.nodes.back().light = static_cast<int>(scene.lights.size()) - 1;
       scene.roots.push_back(++node);
     }
   }
-  roundTrip(scene, ".glb");
+  return scene;
+}
+
+TEST(RoundTrip, SphereLightsOfAnySizeAndPower) {
+  roundTrip(lightsOfAnySizeAndPower([](float radius, Rgb radiance) {
+              return SceneLight{"s", SphereLight{{}, radius, radiance}};
+            }),
+            ".glb");
+}
+
+TEST(RoundTrip, DiskLightsOfAnySizeAndPower) {
+  for (const bool scales : {false, true}) {
+    for (const bool twoSided : {false, true}) {
+      SCOPED_TRACE(scales ? "EXT_lights_area" : "KHR_lights_punctual");
+      roundTrip(lightsOfAnySizeAndPower([&](float radius, Rgb radiance) {
+                  return SceneLight{"d", DiskLight{{}, {0, 0, -1}, radius, radiance, twoSided}, scales};
+                }),
+                ".glb");
+    }
+  }
+}
+
+TEST(RoundTrip, DisksAreSpotOrPointLightsToOtherPrograms) {
+  const test::TemporaryFolder folder;
+  ASSERT_TRUE(saveGltf(test::everythingScene(), folder / "a.gltf"));
+  std::ifstream stream(folder / "a.gltf");
+  const auto document = nlohmann::json::parse(stream);
+  const auto& extensions = document.at("extensions");
+  const auto& panel = extensions.at("KHR_lights_punctual").at("lights").at(5);
+  EXPECT_EQ(panel.at("type"), "spot");
+  // The radiance times the disk's area, in the brightest channel.
+  EXPECT_NEAR(panel.at("intensity").get<double>(), 5.1 * 3.14159265358979 * 0.49, 1e-6);
+  const auto& area = extensions.at("EXT_lights_area").at("lights").at(0);
+  EXPECT_EQ(area.at("type"), "disk");
+  EXPECT_NEAR(area.at("size").get<double>(), 0.2, 1e-8);
+  EXPECT_EQ(area.at("intensity"), 9);
+  EXPECT_EQ(document.at("nodes").at(10).at("extensions").at("EXT_lights_area").at("light"), 0);
+  EXPECT_EQ(document.at("extensionsUsed"), nlohmann::json({"KHR_lights_punctual", "EXT_lights_area"}));
 }
 
 TEST(RoundTrip, ASecondTripChangesNothing) {

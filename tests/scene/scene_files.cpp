@@ -127,7 +127,7 @@ Scene everythingScene() {
   skinned.influences[2].weight = {1, 0, 0, 0, 0, 0, 0, 0};
   scene.meshes.push_back({"skinned", {skinned}, {}});
 
-  scene.nodes.resize(9);
+  scene.nodes.resize(11);
   const auto link = [&](int parent, int child) {
     scene.nodes[parent].children.push_back(child);
     scene.nodes[child].parent = parent;
@@ -162,7 +162,12 @@ Scene everythingScene() {
   link(0, 7);
   link(7, 8);
   scene.nodes[8].light = 2;
-  scene.roots = {0, 2, 3};
+  scene.nodes[9].translation = {0, 3, 0};
+  scene.nodes[9].rotation = glm::quat(0.8f, -0.6f, 0, 0);
+  scene.nodes[9].light = 5;
+  scene.nodes[10].scale = {2, 3, 0.5f};
+  scene.nodes[10].light = 6;
+  scene.roots = {0, 2, 3, 9, 10};
 
   Skin skin;
   skin.name = "rig";
@@ -176,7 +181,9 @@ Scene everythingScene() {
                   {"sun", DirectionalLight{{0, 0, -1}, {0.9f, 1.1f, 1.3f}}},
                   {"spot", SpotLight{{}, {0, 0, -1}, {7, 8, 9.1f}, 0.2f, 0.7f, 0.02f, 12.5f}},
                   {"point", PointLight{{}, {1e4f, 0, 17.3f}}},
-                  {"", PointLight{{}, {0, 0, 0}, 0.5f, 3}}};
+                  {"", PointLight{{}, {0, 0, 0}, 0.5f, 3}},
+                  {"panel", DiskLight{{}, {0, 0, -1}, 0.7f, {5.1f, 4.9f, 0.3f}, false}},
+                  {"area", DiskLight{{}, {0, 0, -1}, 0.1f, {9, 0.7f, 1.3f}, true}, true}};
 
   Animation walk{"walk", {}, 2};
   walk.channels.push_back({1, AnimationPath::translation, Interpolation::step, 3, {0, 1.5f}, {1, 2, 3, 4, 5, 6}});

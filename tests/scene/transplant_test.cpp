@@ -38,6 +38,7 @@ Scene donorScene() {
   addLight(scene, PointLight{{}, {1, 2, 4}, 0.25f, 8}, {9, 0, 0});
   addLight(scene, SpotLight{{}, {0, 0, -1}, {1, 1, 1}, 0.2f, 0.6f}, {10, 0, 5});
   addLight(scene, DirectionalLight{{0, 0, -1}, {6, 5, 4}}, {0, 0, 0});
+  addLight(scene, DiskLight{{}, {0, 0, -1}, 0.2f, {2, 4, 8}, true}, {10, 0, 1});
   scene.animations.push_back(
       {"move", {{0, AnimationPath::translation, Interpolation::linear, 3, {0, 2}, {10, 0, 0, 14, 0, 0}}}, 2});
   return scene;
@@ -52,7 +53,7 @@ TEST(Transplant, ScalesAboutTheObjects) {
   EXPECT_NEAR(transplant->ratio(), 3, 1e-6);
   PosedLights lights;
   transplant->lightsAt(0, lights);
-  ASSERT_EQ(lights.names, (std::vector<std::string>{"light 3", "light 1", "light 2", "light 0"}));
+  ASSERT_EQ(lights.names, (std::vector<std::string>{"light 3", "light 1", "light 2", "light 0", "light 4"}));
   const auto near = [](Vec3 a, Vec3 b) { return length(a - b) < 1e-4f; };
   EXPECT_EQ(lights.set.directional(0).irradiance, (Rgb{6, 5, 4}));
   const PointLight point = lights.set.point(0);
@@ -69,6 +70,12 @@ TEST(Transplant, ScalesAboutTheObjects) {
   EXPECT_TRUE(near(sphere.position, {0, 106, 0}));
   EXPECT_NEAR(sphere.radius, 1.5, 1e-6);
   EXPECT_EQ(sphere.radiance, (Rgb{3, 3, 3}));
+  const DiskLight disk = lights.set.disk(0);
+  EXPECT_TRUE(near(disk.position, {0, 100, 3}));
+  EXPECT_EQ(disk.direction, (Vec3{0, 0, -1}));
+  EXPECT_NEAR(disk.radius, 0.6, 1e-6);
+  EXPECT_EQ(disk.radiance, (Rgb{2, 4, 8}));
+  EXPECT_TRUE(disk.twoSided);
 }
 
 TEST(Transplant, LightsMoveAsSeenFromTheDonorsObject) {

@@ -11,7 +11,8 @@ struct GltfImport {
   const GltfDocument& document;
   AccessorReader accessors;
   Scene scene;
-  std::vector<int> sceneLight;  // per KHR_lights_punctual light: its index in scene.lights, -1 where ignored
+  std::vector<int> punctualLight;  // per KHR_lights_punctual light: its index in scene.lights
+  std::vector<int> areaLight;      // per EXT_lights_area light likewise, -1 where ignored
 
   explicit GltfImport(const GltfDocument& from) : document(from), accessors(from) {}
 

@@ -9,7 +9,9 @@
 namespace rigel::tools {
 namespace {
 
-bool isUnderstood(std::string_view name) { return name == "KHR_lights_punctual" || name == "KHR_mesh_quantization"; }
+bool isUnderstood(std::string_view name) {
+  return name == "KHR_lights_punctual" || name == "EXT_lights_area" || name == "KHR_mesh_quantization";
+}
 
 // Extensions that change nothing but the look of surfaces: a file that requires one still has its geometry for us.
 bool concernsLookOnly(std::string_view name) {

@@ -33,6 +33,20 @@ void readTransform(const JsonPlace& place, Node& node) {
   node.rotation = glm::quat(q[3], q[0], q[1], q[2]);
 }
 
+void readLight(GltfImport& import, const JsonPlace& place, Node& node) {
+  const auto extensions = place.find("extensions");
+  if (!extensions) return;
+  if (const auto punctual = extensions->find("KHR_lights_punctual")) {
+    node.light = import.punctualLight[punctual->requiredIndex("light", import.punctualLight.size(), "light")];
+  }
+  if (const auto area = extensions->find("EXT_lights_area")) {
+    const int light = import.areaLight[area->requiredIndex("light", import.areaLight.size(), "light")];
+    if (light < 0) return;
+    if (node.light >= 0) place.fail("has a punctual and an area light: a node may carry one");
+    node.light = light;
+  }
+}
+
 void readReferences(GltfImport& import, const JsonPlace& place, Node& node) {
   const JsonPlace root = import.document.root();
   node.mesh = place.index("mesh", import.scene.meshes.size(), "mesh");
@@ -52,12 +66,7 @@ void readReferences(GltfImport& import, const JsonPlace& place, Node& node) {
     node.morphWeights.resize(targets);
     place.numbers("weights", targets, node.morphWeights.data());
   }
-  if (const auto extensions = place.find("extensions")) {
-    if (const auto punctual = extensions->find("KHR_lights_punctual")) {
-      const int light = punctual->requiredIndex("light", import.sceneLight.size(), "light");
-      node.light = import.sceneLight[light];
-    }
-  }
+  readLight(import, place, node);
 }
 
 void readExtras(const JsonPlace& place, Node& node) {

@@ -43,6 +43,7 @@ class SceneWriter {
     json out = {{"asset", {{"version", "2.0"}, {"generator", "Rigel"}}}};
     setUnlessEmpty(out, "materials", materials());
     setUnlessEmpty(out, "meshes", meshes());
+    writeLights();
     setUnlessEmpty(out, "nodes", nodes());
     setUnlessEmpty(out, "skins", skins());
     setUnlessEmpty(out, "animations", animations());
@@ -50,9 +51,10 @@ class SceneWriter {
     setUnlessEmpty(scene, "nodes", scene_.roots);
     out["scenes"] = json::array({scene});
     out["scene"] = 0;
-    if (!scene_.lights.empty()) {
-      out["extensionsUsed"] = json::array({"KHR_lights_punctual"});
-      out["extensions"]["KHR_lights_punctual"]["lights"] = lights();
+    for (std::size_t kind = 0; kind < std::size(kLightExtensions); ++kind) {
+      if (lights_[kind].empty()) continue;
+      out["extensionsUsed"].push_back(kLightExtensions[kind]);
+      out["extensions"][kLightExtensions[kind]]["lights"] = lights_[kind];
     }
     buffer_.describe(out);
     return out;
@@ -137,7 +139,10 @@ class SceneWriter {
         if (node.skin >= 0) n["skin"] = node.skin;
         setUnlessEmpty(n, "weights", numbers(node.morphWeights.data(), node.morphWeights.size()));
       }
-      if (node.light >= 0) n["extensions"]["KHR_lights_punctual"]["light"] = node.light;
+      if (node.light >= 0) {
+        const WrittenLight& light = writtenLight_[node.light];
+        n["extensions"][kLightExtensions[light.extension]]["light"] = light.index;
+      }
       if (node.isStatic) n["extras"]["rigel"]["static"] = true;
       if (node.isObject) n["extras"]["rigel"]["object"] = true;
       out.push_back(std::move(n));
@@ -214,20 +219,50 @@ class SceneWriter {
     out["extras"]["radius"] = radius;
   }
 
-  json lights() const {
-    json out = json::array();
+  // Programs that know no disks see a spot light of the widest cone, or for both faces a point light.
+  static void describe(json& out, const DiskLight& light) {
+    const double radius = light.radius;
+    json& ours = out["extras"]["rigel"];
+    ours = {{"type", "disk"}, {"radius", radius}};
+    if (light.twoSided) ours["twoSided"] = true;
+    out["type"] = light.twoSided ? "point" : "spot";
+    if (!light.twoSided) out["spot"]["outerConeAngle"] = kPi / 2;
+    setPower(out, light.radiance, kPi * radius * radius);
+  }
+  static void describeArea(json& out, const DiskLight& light) {
+    out["type"] = "disk";
+    out["size"] = 2 * double{light.radius};
+    setPower(out, light.radiance);
+    if (light.twoSided) out["extras"]["rigel"]["twoSided"] = true;
+  }
+
+  void writeLights() {
     for (const SceneLight& light : scene_.lights) {
       json l;
       setName(l, light.name);
-      std::visit([&](const auto& shape) { describe(l, shape); }, light.shape);
-      out.push_back(std::move(l));
+      const auto* disk = std::get_if<DiskLight>(&light.shape);
+      const bool area = disk != nullptr && light.scalesWithNode;
+      if (area) {
+        describeArea(l, *disk);
+      } else {
+        std::visit([&](const auto& shape) { describe(l, shape); }, light.shape);
+      }
+      const std::size_t extension = area ? 1 : 0;
+      writtenLight_.push_back({extension, lights_[extension].size()});
+      lights_[extension].push_back(std::move(l));
     }
-    return out;
   }
+
+  static constexpr const char* kLightExtensions[] = {"KHR_lights_punctual", "EXT_lights_area"};
+  struct WrittenLight {
+    std::size_t extension, index;  // the latter among the extension's lights
+  };
 
   const Scene& scene_;
   GltfBuffer buffer_;
   std::vector<int> writtenMesh_;
+  std::vector<WrittenLight> writtenLight_;
+  json lights_[std::size(kLightExtensions)];
 };
 
 void appendWord(std::string& out, std::size_t value) {

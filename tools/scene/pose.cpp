@@ -5,6 +5,7 @@
 
 #include <rigel/glm.h>
 
+#include <algorithm>
 #include <cassert>
 #include <unordered_map>
 
@@ -44,10 +45,19 @@ glm::vec3 lightDirection(const glm::mat4& worldFromNode) {
   return across != glm::vec3(0) ? across : glm::vec3(0, 0, -1);
 }
 
+float largestScale(const glm::mat4& worldFromNode) {
+  float largest = 0;
+  for (int axis = 0; axis < 3; ++axis) largest = std::max(largest, glm::length(glm::vec3(worldFromNode[axis])));
+  return largest;
+}
+
 template <class Light>
-Light placed(Light light, const glm::mat4& worldFromNode) {
+Light placed(Light light, const glm::mat4& worldFromNode, bool scales) {
   if constexpr (requires { light.position; }) light.position = fromGlm(glm::vec3(worldFromNode[3]));
   if constexpr (requires { light.direction; }) light.direction = fromGlm(lightDirection(worldFromNode));
+  if constexpr (requires { light.twoSided; }) {
+    if (scales) light.radius *= largestScale(worldFromNode);
+  }
   return light;
 }
 
@@ -108,7 +118,8 @@ void poseLights(const Scene& scene, const ScenePose& pose, PosedLights& out) {
       if (node.light < 0 || !inScene[i]) continue;
       const SceneLight& light = scene.lights[node.light];
       if (light.shape.index() != kind) continue;
-      std::visit([&](const auto& shape) { out.set.add(placed(shape, pose.worldFromNode[i])); }, light.shape);
+      std::visit([&](const auto& shape) { out.set.add(placed(shape, pose.worldFromNode[i], light.scalesWithNode)); },
+                 light.shape);
       std::string name = !light.name.empty() ? light.name : !node.name.empty() ? node.name : "light";
       const int use = ++uses[name];
       out.names.push_back(use == 1 ? std::move(name) : name + " " + std::to_string(use));

@@ -60,13 +60,14 @@ struct PosedObject {
 /// vectors of `out`: no allocation once they have grown. Finite for every finite pose; collapsed scales included.
 void poseObject(const Scene& scene, const SceneObject& object, const ScenePose& pose, PosedObject& out);
 
-/// Lights of the scene in world space, in the order directional, point, spot, sphere that LightSet keeps.
+/// Lights of the scene in world space, in the order directional, point, spot, sphere, disk that LightSet keeps.
 struct PosedLights {
   LightSet set;
-  std::vector<std::string> names;  // of set's lights: directional first, then point, spot, sphere
+  std::vector<std::string> names;  // of set's lights, in that order
 };
 
-/// Lights of nodes outside the scene's roots are left out. Scale has no effect on a light.
+/// Lights of nodes outside the scene's roots are left out. Scale has no effect on a light but where `scalesWithNode`
+/// says so: that disk's radius is multiplied by the length of the longest axis.
 void poseLights(const Scene& scene, const ScenePose& pose, PosedLights& out);
 
 }  // namespace rigel::tools

@@ -61,12 +61,13 @@ struct Skin {
   int skeletonRoot = -1;  // `skeleton`, or the joints' closest common ancestor (a joint itself may be it)
 };
 
-/// A light in its node's frame: local position is the origin, local direction -z (glTF). Scaled by no transform.
+/// A light in its node's frame: local position is the origin, local direction -z (glTF).
 /// LightShape holds position {0,0,0} and direction {0,0,-1}.
-using LightShape = std::variant<DirectionalLight, PointLight, SpotLight, SphereLight>;
+using LightShape = std::variant<DirectionalLight, PointLight, SpotLight, SphereLight, DiskLight>;
 struct SceneLight {
   std::string name;
   LightShape shape;
+  bool scalesWithNode = false;  // a disk whose radius its node's largest scale multiplies (EXT_lights_area)
 };
 
 struct Node {

@@ -98,6 +98,7 @@ void LightTransplant::lightsAt(double time, PosedLights& out) const {
   for (int i = 0; i < from.pointCount(); ++i) moveLocal(from.point(i));
   for (int i = 0; i < from.spotCount(); ++i) moveLocal(from.spot(i));
   for (int i = 0; i < from.sphereCount(); ++i) moveLocal(from.sphere(i));
+  for (int i = 0; i < from.diskCount(); ++i) moveLocal(from.disk(i));
 }
 
 }  // namespace rigel::tools
