@@ -2,6 +2,11 @@
 // that the CPU and the shader compute the same thing. GLSL knows them as rigel_x; C++ has a namespace for that, and a
 // macro beside each function makes it rigel::detail::x there. They use float literals with a suffix, no implicit
 // conversion, and of the built-in functions only those below.
+//
+// Text that is generic in Real is a template in C++, for float, double, dual numbers and SIMD lanes, and float in GLSL.
+// It has no branch on a Real but rigel_select, and no built-in function but sqrt, abs, min, max and clamp. A file of
+// such text can be compiled into another namespace, with other attributes, by defining RIGEL_SHADER_NAMESPACE and
+// RIGEL_FUNCTION anew and taking its guard away.
 #ifndef RIGEL_SHADER_LANGUAGE_H
 #define RIGEL_SHADER_LANGUAGE_H
 
@@ -15,6 +20,20 @@
 #define RIGEL_FUNCTION inline
 #define RIGEL_NOEXCEPT noexcept
 #define RIGEL_IN(Type) const Type&
+#define RIGEL_INOUT(Type) Type&
+#define RIGEL_ARRAY(array, count) Real* array
+#define RIGEL_SHADER_NAMESPACE rigel::detail
+
+// A generic struct, its type in use; a generic function; one that also depends on the number of bands, and its call.
+#define RIGEL_STRUCT(Type) \
+  template <class Real>    \
+  struct Type
+#define RIGEL_OF(Type) Type<Real>
+#define RIGEL_GENERIC template <class Real>
+#define RIGEL_GENERIC_BANDS template <int Bands, class Real>
+#define RIGEL_BANDED(function) function<Bands>
+
+#define rigel_select select
 
 namespace rigel::detail {
 
@@ -26,6 +45,14 @@ using uint = std::uint32_t;
 
 /// As GLSL defines it, and without the branches of std::clamp.
 inline float clamp(float x, float lo, float hi) noexcept { return min(max(x, lo), hi); }
+template <class Real>
+inline Real clamp(const Real& x, const Real& lo, const Real& hi) noexcept {
+  return min(max(x, lo), hi);
+}
+template <class Real>
+inline Real select(bool condition, const Real& yes, const Real& no) noexcept {
+  return condition ? yes : no;
+}
 inline uint floatBitsToUint(float x) noexcept { return std::bit_cast<uint>(x); }
 inline float uintBitsToFloat(uint bits) noexcept { return std::bit_cast<float>(bits); }
 
@@ -36,6 +63,18 @@ inline float uintBitsToFloat(uint bits) noexcept { return std::bit_cast<float>(b
 #define RIGEL_FUNCTION
 #define RIGEL_NOEXCEPT
 #define RIGEL_IN(Type) Type
+#define RIGEL_INOUT(Type) inout Type
+#define RIGEL_ARRAY(array, count) inout float array[count]
+
+#define Real float
+#define Bands RIGEL_BANDS
+#define RIGEL_STRUCT(Type) struct rigel_##Type
+#define RIGEL_OF(Type) rigel_##Type
+#define RIGEL_GENERIC
+#define RIGEL_GENERIC_BANDS
+#define RIGEL_BANDED(function) function
+
+float rigel_select(bool condition, float yes, float no) { return condition ? yes : no; }
 
 #endif
 
