@@ -1,7 +1,7 @@
 #include <rigel/gpu_rig.h>
+#include <rigel/half.h>
 
 #include "gpu_rig_reader.h"
-#include "half.h"
 
 #include <algorithm>
 #include <array>

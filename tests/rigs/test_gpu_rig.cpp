@@ -2,9 +2,9 @@
 #include "rig_fixture.h"
 
 #include "gpu/packed_rig.h"
-#include "half.h"
 
 #include <rigel/gpu_rig.h>
+#include <rigel/half.h>
 
 #include <bit>
 

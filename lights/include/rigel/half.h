@@ -7,7 +7,7 @@
 namespace rigel {
 
 /// Round to nearest even; beyond the largest half infinity, NaN stays NaN.
-inline std::uint16_t halfFromFloat(float x) noexcept {
+constexpr std::uint16_t halfFromFloat(float x) noexcept {
   const auto bits = std::bit_cast<std::uint32_t>(x);
   const auto sign = static_cast<std::uint16_t>(bits >> 16 & 0x8000u);
   const std::uint32_t magnitude = bits & 0x7fffffffu;
