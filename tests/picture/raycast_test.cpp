@@ -55,7 +55,7 @@ TEST(RayCaster, HitsAPlaneWhereGeometrySays) {
 
 TEST(RayCaster, HitsASphereLightWhereGeometrySays) {
   RayCaster caster;
-  caster.addLight({0, 0, 0}, 1, {1, 2, 3});
+  caster.addLight({{0, 0, 0}, 1, {1, 2, 3}, {}});
   const Camera camera = lookDownZ(101, 101, 3);
   const VisibleSurface surface = caster.cast(camera, 1);
   ASSERT_FALSE(surface.samples.empty());
@@ -69,6 +69,32 @@ TEST(RayCaster, HitsASphereLightWhereGeometrySays) {
   EXPECT_LE(worst, 2e-4f) << "near the outline a ray meets the sphere at a grazing angle";
   ASSERT_NE(at(surface, 50, 50), nullptr);
   EXPECT_NEAR(at(surface, 50, 50)->position.z, 1, 1e-5f);
+}
+
+TEST(RayCaster, HitsADiskLightWhichIsBlackFromBehind) {
+  // Tilted by 60 degrees about x: half as high as wide.
+  const float c = 0.5f, s = std::sqrt(0.75f);
+  for (const float side : {1.0f, -1.0f}) {
+    for (const bool twoSided : {false, true}) {
+      RayCaster caster;
+      caster.addLight({{0, 0, 0}, 1, {1, 2, 3}, {0, side * s, side * c}, twoSided});
+      const VisibleSurface surface = caster.cast(lookDownZ(101, 101, 3), 1);
+      ASSERT_FALSE(surface.samples.empty());
+      float worst = 0, widest = 0, highest = 0;
+      for (const VisibleSample& sample : surface.samples) {
+        const Vec3 p = sample.position;
+        worst = std::max(worst, std::abs(p.y * s + p.z * c));
+        widest = std::max(widest, std::abs(p.x));
+        highest = std::max(highest, std::abs(p.y));
+        EXPECT_EQ(sample.kind, SampleKind::light);
+        EXPECT_EQ(sample.emission, (side > 0 || twoSided ? Rgb{1, 2, 3} : Rgb{}));
+      }
+      EXPECT_LE(worst, 1e-5f) << "in the plane of the disk";
+      constexpr float kPixel = 0.03f;
+      EXPECT_NEAR(widest, 1, kPixel);
+      EXPECT_NEAR(highest, 0.5, kPixel);
+    }
+  }
 }
 
 TEST(RayCaster, NormalsAreInterpolatedOrTheTrianglesOwn) {
@@ -103,7 +129,7 @@ TEST(RayCaster, NearestSurfaceWinsAndPartsAreCountedPerKind) {
   RayCaster caster;
   caster.add(behind.object, behind.posed, SampleKind::scenery);
   caster.add(front.object, front.posed);
-  caster.addLight({0.8f, 0.8f, 0.2f}, 0.1f, {1, 1, 1});
+  caster.addLight({{0.8f, 0.8f, 0.2f}, 0.1f, {1, 1, 1}, {}});
   const VisibleSurface surface = caster.cast(lookDownZ(64, 64, 2), 1);
   const VisibleSample* middle = at(surface, 32, 32);
   ASSERT_NE(middle, nullptr);
@@ -128,7 +154,7 @@ TEST(RayCaster, SupersamplingMeasuresTheDisc) {
   const double radius = 100 * std::tan(std::asin(1.0 / 3));
   const double area = kPi * radius * radius;
   RayCaster caster;
-  caster.addLight({0, 0, 0}, 1, {1, 1, 1});
+  caster.addLight({{0, 0, 0}, 1, {1, 1, 1}, {}});
   double error[2];
   for (const int perSide : {1, 4}) {
     const VisibleSurface surface = caster.cast(camera, perSide);
@@ -148,7 +174,7 @@ TEST(RayCaster, SamplesAreOrderedAndNoPixelIsMoreThanCovered) {
   const Shape square = makeSquare(0.77f, 0.1f);
   RayCaster caster;
   caster.add(square.object, square.posed);
-  caster.addLight({0.5f, 0.5f, 0.6f}, 0.2f, {1, 1, 1});
+  caster.addLight({{0.5f, 0.5f, 0.6f}, 0.2f, {1, 1, 1}, {}});
   const VisibleSurface surface = caster.cast(lookDownZ(90, 70, 2), 3);
   ASSERT_GT(surface.samples.size(), 1000u);
   std::map<std::uint32_t, float> coverage;

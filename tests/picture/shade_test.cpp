@@ -22,7 +22,7 @@ TEST(ExactIrradiance, IsTheLibrarysAtEverySample) {
   square.object.triangleWrap[1] = 0.5f;
   RayCaster caster;
   caster.add(square.object, square.posed);
-  caster.addLight({0.3f, 0.2f, 0.5f}, 0.2f, {1, 1, 1});
+  caster.addLight({{0.3f, 0.2f, 0.5f}, 0.2f, {1, 1, 1}, {}});
   const VisibleSurface surface = caster.cast(test::lookDownZ(64, 64, 2), 2);
   ASSERT_GT(surface.samples.size(), 1024u) << "more than one block of the parallel loop";
   const std::vector<Rgb> irradiance = exactIrradiance(surface, lights);

@@ -124,6 +124,11 @@ Json describeLight(const SphereLight& light) {
   return {{"type", "sphere"}, {"radiance", triple(light.radiance)}, {"radius", light.radius}};
 }
 
+Json describeLight(const DiskLight& light) {
+  return {
+      {"type", "disk"}, {"radiance", triple(light.radiance)}, {"radius", light.radius}, {"two_sided", light.twoSided}};
+}
+
 // Names as poseLights gives them, positions in the rest pose.
 Json describeLights(const Scene& scene, const ScenePose& rest) {
   PosedLights posed;
@@ -144,6 +149,7 @@ Json describeLights(const Scene& scene, const ScenePose& rest) {
   for (int i = 0; i < posed.set.pointCount(); ++i) add(posed.set.point(i));
   for (int i = 0; i < posed.set.spotCount(); ++i) add(posed.set.spot(i));
   for (int i = 0; i < posed.set.sphereCount(); ++i) add(posed.set.sphere(i));
+  for (int i = 0; i < posed.set.diskCount(); ++i) add(posed.set.disk(i));
   return out;
 }
 
@@ -175,6 +181,7 @@ std::string lightText(const Json& light) {
   }
   if (light.contains("radius")) text += fmt::format(", radius {:.4g} m", light["radius"].get<double>());
   if (light.contains("range")) text += fmt::format(", range {:.4g} m", light["range"].get<double>());
+  if (light.value("two_sided", false)) text += ", both faces";
   if (light.contains("inner")) {
     text += fmt::format(", cone {:.4g} to {:.4g} rad", light["inner"].get<double>(), light["outer"].get<double>());
   }

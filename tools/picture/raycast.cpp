@@ -22,7 +22,7 @@ struct Part {
   std::vector<glm::uvec3> triangles;
   std::vector<glm::vec3> colours;
   std::vector<float> wraps;
-  Rgb emission;
+  LightMarker light;
 };
 
 /// Cosine between the normals of neighbouring pixels below which an edge runs between them.
@@ -85,7 +85,8 @@ struct RayCaster::Impl {
     out.position = fromGlm(camera.eye + query.ray.tfar * d);
     out.normal = fromGlm(glm::normalize(flat));
     if (part.kind == SampleKind::light) {
-      out.emission = part.emission;
+      const bool isBehind = part.light.isDisk() && dot(fromGlm(d), part.light.axis) > 0;
+      if (!isBehind || part.light.twoSided) out.emission = part.light.emission;
       return true;
     }
     out.triangle = query.hit.primID;
@@ -122,15 +123,16 @@ void RayCaster::add(const SceneObject& object, const PosedObject& posed, SampleK
       {kind, impl_->objectCount++, posed.normals, object.triangles, object.triangleColour, object.triangleWrap, {}});
 }
 
-void RayCaster::addLight(Vec3 centre, float radius, Rgb emission) {
-  RTCGeometry geometry = rtcNewGeometry(impl_->device, RTC_GEOMETRY_TYPE_SPHERE_POINT);
-  auto* ball = static_cast<float*>(
-      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, 4 * sizeof(float), 1));
-  ball[0] = centre.x;
-  ball[1] = centre.y;
-  ball[2] = centre.z;
-  ball[3] = radius;
-  impl_->attach(geometry, {SampleKind::light, impl_->lightCount++, {}, {}, {}, {}, emission});
+void RayCaster::addLight(const LightMarker& light) {
+  RTCGeometry geometry = rtcNewGeometry(
+      impl_->device, light.isDisk() ? RTC_GEOMETRY_TYPE_ORIENTED_DISC_POINT : RTC_GEOMETRY_TYPE_SPHERE_POINT);
+  const auto fill = [&](RTCBufferType buffer, RTCFormat format, std::initializer_list<float> values) {
+    std::ranges::copy(values, static_cast<float*>(rtcSetNewGeometryBuffer(geometry, buffer, 0, format,
+                                                                          values.size() * sizeof(float), 1)));
+  };
+  fill(RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT4, {light.centre.x, light.centre.y, light.centre.z, light.radius});
+  if (light.isDisk()) fill(RTC_BUFFER_TYPE_NORMAL, RTC_FORMAT_FLOAT3, {light.axis.x, light.axis.y, light.axis.z});
+  impl_->attach(geometry, {SampleKind::light, impl_->lightCount++, {}, {}, {}, {}, light});
 }
 
 VisibleSurface RayCaster::cast(const Camera& camera, int perSide) const {
@@ -179,24 +181,30 @@ VisibleSurface RayCaster::cast(const Camera& camera, int perSide) const {
   return surface;
 }
 
-std::vector<LightBall> lightBalls(const LightSet& lights, float minRadius, float brightness) {
-  std::vector<LightBall> balls;
+std::vector<LightMarker> lightMarkers(const LightSet& lights, float minRadius, float brightness) {
+  std::vector<LightMarker> markers;
   for (int i = 0; i < lights.size(); ++i) {
     lights.visit(i, [&](const auto& light) {
       if constexpr (requires { light.radius; }) {
         const Rgb colour = colourOf(light);
         const float largest = std::max({colour.r, colour.g, colour.b});
-        if (largest > 0)
-          balls.push_back({light.position, std::max(light.radius, minRadius), colour * (brightness / largest)});
+        if (!(largest > 0)) return;
+        LightMarker marker{light.position, std::max(light.radius, minRadius), colour * (brightness / largest), {}};
+        if constexpr (requires { light.twoSided; }) {
+          const float size = length(light.direction);
+          if (!(size > 0)) return;
+          marker.axis = light.direction * (1 / size);
+          marker.twoSided = light.twoSided;
+        }
+        markers.push_back(marker);
       }
     });
   }
-  return balls;
+  return markers;
 }
 
 void addLights(RayCaster& caster, const LightSet& lights, float minRadius, float brightness) {
-  for (const LightBall& ball : lightBalls(lights, minRadius, brightness))
-    caster.addLight(ball.centre, ball.radius, ball.emission);
+  for (const LightMarker& marker : lightMarkers(lights, minRadius, brightness)) caster.addLight(marker);
 }
 
 Rgb outgoingRadiance(const VisibleSample& sample, Rgb irradiance) {

@@ -39,6 +39,17 @@ struct VisibleSurface {
   std::vector<VisibleSample> samples;
 };
 
+/// How a light is shown in a picture: a ball of one colour, or a disk that is black from behind.
+struct LightMarker {
+  Vec3 centre;
+  float radius = 0;
+  Rgb emission;
+  Vec3 axis;              // disk: unit, the way it emits; zero for a ball
+  bool twoSided = false;  // disk: of one colour from behind too
+
+  bool isDisk() const { return !(axis == Vec3{}); }
+};
+
 /// Neither copied nor shared between threads while it is filled. Objects are copied: they may go once added.
 class RayCaster {
  public:
@@ -49,8 +60,8 @@ class RayCaster {
 
   void add(const SceneObject& object, const PosedObject& posed, SampleKind kind = SampleKind::object);
 
-  /// Shows a light as a ball of one colour. Rays that start inside it do not see it.
-  void addLight(Vec3 centre, float radius, Rgb emission);
+  /// Shows a light. Rays that start inside a ball do not see it.
+  void addLight(const LightMarker& light);
 
   /// One sample a pixel; perSide x perSide where neighbouring pixels show other surfaces, so that edges come out
   /// smooth at little more than the cost of one. Uses all cores.
@@ -61,16 +72,9 @@ class RayCaster {
   std::unique_ptr<Impl> impl_;
 };
 
-/// How a light is shown in a picture.
-struct LightBall {
-  Vec3 centre;
-  float radius = 0;
-  Rgb emission;
-};
-
 /// Every light of the set that has a place, at least `minRadius` large so that points can be seen; its colour is the
 /// light's, scaled to a largest channel of `brightness`.
-std::vector<LightBall> lightBalls(const LightSet& lights, float minRadius, float brightness);
+std::vector<LightMarker> lightMarkers(const LightSet& lights, float minRadius, float brightness);
 void addLights(RayCaster& caster, const LightSet& lights, float minRadius, float brightness);
 
 /// Radiance that leaves a sample towards the camera: Lambert's base colour E/pi, or a light's own.

@@ -54,6 +54,7 @@ Result<SceneRender> SceneRender::create(const RenderOptions& options, const GpuC
                             options.storage,
                             options.perVertex,
                             options.run.wrap,
+                            options.wrappedDisk,
                             options.against != RenderReference::none,
                             options.shaderCache};
   const Stopwatch watch;
@@ -194,8 +195,8 @@ Camera SceneRender::camera(int width, int height) const {
 }
 
 Result<RenderedFrame> SceneRender::draw(const Camera& camera) {
-  const auto balls = lightBalls(stage_->lights().set, kLightMarker * framedSphere().radius, kLightBrightness);
-  return renderer_->render(camera, posed_, stage_->lights().set, balls);
+  const auto markers = lightMarkers(stage_->lights().set, kLightMarker * framedSphere().radius, kLightBrightness);
+  return renderer_->render(camera, posed_, stage_->lights().set, markers);
 }
 
 Result<RenderResult> SceneRender::render(int frame) {

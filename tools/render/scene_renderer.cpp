@@ -4,6 +4,7 @@
 #include "samples/mesh_builder.h"
 #include "shader_binaries.h"
 
+#include <rigel/glm.h>
 #include <rigel/near_light.h>
 
 #include <glm/geometric.hpp>
@@ -17,6 +18,7 @@ namespace rigel::tools {
 namespace {
 
 constexpr int kBallSegments = 12;
+constexpr float kBallEquator = 1e-3f;  // half the height within which a vertex of the unit ball is on its equator
 /// Of the distance to what is framed: nearer things are not drawn.
 constexpr float kNearPlane = 0.004f;
 
@@ -57,6 +59,15 @@ std::vector<DrawVertex> unitBall() {
   return vertices;
 }
 
+/// Takes the unit ball to the marker's shape: itself, or flattened to a disk whose face is the ball's upper half.
+glm::mat3 shapeOf(const LightMarker& marker) {
+  if (!marker.isDisk()) return glm::mat3(1);
+  constexpr float kThickness = 0.01f;  // of the radius: keeps the two faces apart in the depth buffer
+  const glm::vec3 y = toGlm(marker.axis);
+  const glm::vec3 x = glm::normalize(glm::cross(y, std::abs(y.x) < 0.5f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0)));
+  return {x, kThickness * y, glm::cross(x, y)};
+}
+
 template <class T>
 std::vector<T> threeOfFour(GpuBuffer& pixels) {
   std::vector<T> all;
@@ -79,6 +90,9 @@ Result<SceneRenderer> SceneRenderer::create(const GpuContext& context, std::span
     for (const DrawRange& range : drawn.back().draws.ranges())
       if (std::ranges::find(room.wraps, range.wrap) == room.wraps.end()) room.wraps.push_back(range.wrap);
   }
+  for (const float wrap : room.wraps)
+    if (nearKindsOf(lightEffects(lights), wrap, options.wrappedDisk).has(Effect::light_near_diskTable))
+      room.diskTable = true;
   auto buffers = ShadingBuffers::create(context, room, options.storage);
   if (!buffers) return buffers.error();
   auto commands = GpuCommands::create(context);
@@ -109,8 +123,9 @@ std::optional<Error> SceneRenderer::makePipelines(const LightSet& lights) {
     GpuRig packed;
     if (drawn.rig != nullptr) packed = buffers_.pack(drawn.rigIndex, *drawn.rig).packed;
     for (const DrawRange& range : drawn.draws.ranges()) {
-      std::vector<ShaderVariant> variants{nearVariant(options_.bands, lights, range.wrap)};
-      if (drawn.rig != nullptr) variants = possibleVariants(*drawn.rig, packed, range.wrap, lightEffects(lights));
+      const Effects near = nearKinds(lights, range.wrap);
+      std::vector<ShaderVariant> variants{nearVariant(options_.bands, near)};
+      if (drawn.rig != nullptr) variants = possibleVariants(*drawn.rig, packed, range.wrap, near);
       for (const ShaderVariant& variant : variants)
         if (auto error = addPipeline(variant, isPerVertex(drawn), *target)) return error;
     }
@@ -163,8 +178,8 @@ const GpuPipeline* SceneRenderer::pipelineOf(const ShaderVariant& variant, bool 
   return found == shelf_.end() ? nullptr : &found->pipeline;
 }
 
-std::optional<Error> SceneRenderer::makeRoom(std::size_t balls) {
-  const std::size_t needed = (objectVertices_ + balls * ball_.size()) * sizeof(DrawVertex);
+std::optional<Error> SceneRenderer::makeRoom(std::size_t markers) {
+  const std::size_t needed = (objectVertices_ + markers * ball_.size()) * sizeof(DrawVertex);
   if (vertices_ && vertices_->size() >= needed) return std::nullopt;
   auto vertices = GpuBuffer::create(*context_, BufferUse::vertices, needed);
   if (!vertices) return vertices.error();
@@ -187,18 +202,21 @@ std::optional<Error> SceneRenderer::fitTarget(const Camera& camera) {
   return std::nullopt;
 }
 
-void SceneRenderer::fillVertices(std::span<const PosedObject> posed, std::span<const LightBall> balls) {
+void SceneRenderer::fillVertices(std::span<const PosedObject> posed, std::span<const LightMarker> markers) {
   const std::span<DrawVertex> all = vertices_->as<DrawVertex>();
   for (std::size_t i = 0; i < drawn_.size(); ++i) drawn_[i].draws.fill(posed[i], &all[drawn_[i].firstVertex]);
   DrawVertex* out = all.data() + objectVertices_;
-  for (const LightBall& ball : balls) {
-    const glm::vec3 centre{ball.centre.x, ball.centre.y, ball.centre.z};
-    const glm::vec3 emission{ball.emission.r, ball.emission.g, ball.emission.b};
-    for (const DrawVertex& v : ball_) *out++ = {centre + ball.radius * v.position, v.normal, emission, v.triangle};
+  for (const LightMarker& marker : markers) {
+    const glm::vec3 centre = toGlm(marker.centre), emission{marker.emission.r, marker.emission.g, marker.emission.b};
+    const glm::mat3 shape = marker.radius * shapeOf(marker);
+    for (const DrawVertex& v : ball_) {
+      const bool isDark = marker.isDisk() && !marker.twoSided && v.position.y < -kBallEquator;
+      *out++ = {centre + shape * v.position, v.normal, isDark ? glm::vec3(0) : emission, v.triangle};
+    }
   }
 }
 
-std::optional<Error> SceneRenderer::listDraws(const LightSet& lights, std::size_t balls) {
+std::optional<Error> SceneRenderer::listDraws(const LightSet& lights, std::size_t markers) {
   list_.clear();
   effects_ = {};
   buffers_.begin();
@@ -212,10 +230,10 @@ std::optional<Error> SceneRenderer::listDraws(const LightSet& lights, std::size_
     GpuRig packed;
     if (drawn.rig != nullptr) place = buffers_.pack(drawn.rigIndex, *drawn.rig);
     for (const DrawRange& range : drawn.draws.ranges()) {
+      const Effects near = nearKinds(lights, range.wrap);
       const ShaderVariant variant =
-          drawn.rig != nullptr
-              ? variantOf(*drawn.rig, place.packed, drawn.rig->effects(range.wrap), nearKindsOf(lights, range.wrap))
-              : nearVariant(options_.bands, lights, range.wrap);
+          drawn.rig != nullptr ? variantOf(*drawn.rig, place.packed, drawn.rig->effects(range.wrap), near)
+                               : nearVariant(options_.bands, near);
       const GpuPipeline* pipeline = pipelineOf(variant, isPerVertex(drawn));
       if (pipeline == nullptr) return Error{"an effect that was not prepared for", drawn.object->name};
       if (drawn.rig != nullptr) effects_.add(variant.effects);
@@ -231,12 +249,12 @@ std::optional<Error> SceneRenderer::listDraws(const LightSet& lights, std::size_
                        drawn.rig != nullptr});
     }
   }
-  if (balls > 0)
+  if (markers > 0)
     list_.push_back({&*flat_,
                      &buffers_.bindings(0),
                      {},
                      objectVertices_,
-                     static_cast<std::uint32_t>(balls * ball_.size()),
+                     static_cast<std::uint32_t>(markers * ball_.size()),
                      static_cast<std::uint32_t>(drawn_.size() + 1),
                      1,
                      0,
@@ -280,11 +298,11 @@ Result<double> SceneRenderer::run(const Camera& camera, const GpuPipeline* inste
 }
 
 Result<RenderedFrame> SceneRenderer::render(const Camera& camera, std::span<const PosedObject> posed,
-                                            const LightSet& lights, std::span<const LightBall> balls) {
+                                            const LightSet& lights, std::span<const LightMarker> markers) {
   if (auto error = fitTarget(camera)) return *error;
-  if (auto error = makeRoom(balls.size())) return *error;
-  fillVertices(posed, balls);
-  if (auto error = listDraws(lights, balls.size())) return *error;
+  if (auto error = makeRoom(markers.size())) return *error;
+  fillVertices(posed, markers);
+  if (auto error = listDraws(lights, markers.size())) return *error;
   const auto milliseconds = run(camera, nullptr);
   if (!milliseconds) return milliseconds.error();
 

@@ -23,6 +23,7 @@ struct RendererOptions {
   RigStorage storage = RigStorage::float32;
   bool perVertex = false;                  // objects with rigs; scenery has too few vertices for it
   std::optional<float> wrap;               // overrides the materials'
+  Effect wrappedDisk = kWrappedDisk;       // of RenderOptions
   bool points = false;                     // that `points` may be asked for
   std::filesystem::path shaderCache = {};  // of SpecialisedShaders
 };
@@ -34,10 +35,10 @@ class SceneRenderer {
   static Result<SceneRenderer> create(const GpuContext& context, std::span<const DrawnObject> objects,
                                       const LightSet& lights, const RendererOptions& options);
 
-  /// A frame: `posed` has an entry an object, rigs are fitted, `balls` are how lights are shown. RenderedFrame::part of
-  /// object i is 1 + i.
+  /// A frame: `posed` has an entry an object, rigs are fitted, `markers` are how lights are shown. RenderedFrame::part
+  /// of object i is 1 + i.
   Result<RenderedFrame> render(const Camera& camera, std::span<const PosedObject> posed, const LightSet& lights,
-                               std::span<const LightBall> balls);
+                               std::span<const LightMarker> markers);
 
   /// The same frame with what has a rig in constant colours: what is left is the cost of shading by rigs. [ms]
   Result<double> unlitMilliseconds(const Camera& camera);
@@ -45,6 +46,7 @@ class SceneRenderer {
   /// What the pixels of the same frame shaded. Only if RendererOptions::points.
   Result<RenderedPoints> points(const Camera& camera);
 
+  bool hasDiskTable() const { return buffers_.hasDiskTable(); }
   int pipelines() const { return static_cast<int>(shelf_.size()); }
   /// What the shaders of the last frame were specialised to, over all draws.
   Effects effects() const { return effects_; }
@@ -83,12 +85,15 @@ class SceneRenderer {
   std::optional<Error> makePipelines(const LightSet& lights);
   std::optional<Error> addPipeline(const ShaderVariant& variant, bool perVertex, const RasterTarget& target);
   std::optional<Error> warmUp(const RasterTarget& target);
-  std::optional<Error> makeRoom(std::size_t balls);
+  std::optional<Error> makeRoom(std::size_t markers);
   std::optional<Error> fitTarget(const Camera& camera);
   const GpuPipeline* pipelineOf(const ShaderVariant& variant, bool perVertex) const;
+  Effects nearKinds(const LightSet& lights, float wrap) const {
+    return nearKindsOf(lightEffects(lights), wrap, options_.wrappedDisk);
+  }
   bool isPerVertex(const Drawn& drawn) const { return options_.perVertex && drawn.rig != nullptr; }
-  void fillVertices(std::span<const PosedObject> posed, std::span<const LightBall> balls);
-  std::optional<Error> listDraws(const LightSet& lights, std::size_t balls);
+  void fillVertices(std::span<const PosedObject> posed, std::span<const LightMarker> markers);
+  std::optional<Error> listDraws(const LightSet& lights, std::size_t markers);
   void record(const Camera& camera, const Draw& draw, const GpuPipeline& pipeline);
   Result<double> run(const Camera& camera, const GpuPipeline* instead, bool rigsAlone = false);
 

@@ -50,6 +50,11 @@ std::vector<LightRow> describeLights(const PosedLights& lights) {
     const SphereLight l = set.sphere(i);
     add("sphere", fmt::format("radiance {} W/(m² sr), radius {:.4g} m", rgb(l.radiance), l.radius));
   }
+  for (int i = 0; i < set.diskCount(); ++i) {
+    const DiskLight l = set.disk(i);
+    add("disk", fmt::format("radiance {} W/(m² sr), radius {:.4g} m{}", rgb(l.radiance), l.radius,
+                            l.twoSided ? ", both faces" : ""));
+  }
   return rows;
 }
 
