@@ -208,6 +208,7 @@ RgbD exactIrradiance(const LightSet& lights, Vec3 p, Vec3 n, float wrap) noexcep
   for (int i = 0; i < lights.pointCount(); ++i) sum += exactIrradiance(lights.point(i), p, n, wrap);
   for (int i = 0; i < lights.spotCount(); ++i) sum += exactIrradiance(lights.spot(i), p, n, wrap);
   for (int i = 0; i < lights.sphereCount(); ++i) sum += exactIrradiance(lights.sphere(i), p, n, wrap);
+  for (int i = 0; i < lights.diskCount(); ++i) sum += exactIrradiance(lights.disk(i), p, n, wrap);
   return sum;
 }
 

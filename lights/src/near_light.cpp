@@ -16,6 +16,7 @@ static_assert(static_cast<int>(NearLight::Kind::directional) == shader_types::kG
 static_assert(static_cast<int>(NearLight::Kind::point) == shader_types::kGpuPoint);
 static_assert(static_cast<int>(NearLight::Kind::spot) == shader_types::kGpuSpot);
 static_assert(static_cast<int>(NearLight::Kind::sphere) == shader_types::kGpuSphere);
+static_assert(static_cast<int>(NearLight::Kind::disk) == shader_types::kGpuDisk);
 
 NearLight black(NearLight::Kind kind) noexcept {
   NearLight out;
@@ -77,10 +78,24 @@ NearLight nearLight(const SphereLight& light, float share) noexcept {
   return out;
 }
 
+NearLight nearLight(const DiskLight& light, float share) noexcept {
+  constexpr auto kKind = NearLight::Kind::disk;
+  const Vec3d axis = detail::directionOf(light.direction);
+  const bool none = !(light.radius > 0) || !std::isfinite(light.radius) || detail::dot(axis, axis) == 0;
+  if (none || detail::anyNan(light.position) || detail::anyNan(light.radiance)) return black(kKind);
+  NearLight out = lit(kKind, light.radiance, share);
+  out.position = light.position;
+  out.radius = light.radius;
+  out.axis = detail::narrow(axis);
+  out.cosOuter = light.twoSided ? -1.0f : 0.0f;
+  return out;
+}
+
 GpuNearLight gpuNearLight(const NearLight& light) noexcept {
-  const bool sphere = light.kind == NearLight::Kind::sphere;
+  const bool disk = light.kind == NearLight::Kind::disk;
+  const bool area = disk || light.kind == NearLight::Kind::sphere;
   const bool spot = light.kind == NearLight::Kind::spot;
-  const float scale = light.share * (sphere ? static_cast<float>(kPi) : 1.0f);
+  const float scale = light.share * (area ? static_cast<float>(kPi) : 1.0f);
   // A window that ends closer than floats can invert leaves no light at any distance that counts, as it should.
   constexpr float kMaxInverse = std::numeric_limits<float>::max();
   GpuNearLight out{};
@@ -88,11 +103,11 @@ GpuNearLight gpuNearLight(const NearLight& light) noexcept {
   out.radius = light.radius;
   out.colour = {light.colour.r * scale, light.colour.g * scale, light.colour.b * scale};
   out.kind = static_cast<int>(light.kind);
-  if (spot) out.axis = {light.axis.x, light.axis.y, light.axis.z};
+  if (spot || disk) out.axis = {light.axis.x, light.axis.y, light.axis.z};
   if (light.kind == NearLight::Kind::point || spot) out.inverseRange = std::min(1 / light.range, kMaxInverse);
-  out.cosOuter = spot ? light.cosOuter : -1.0f;
+  out.cosOuter = spot || disk ? light.cosOuter : -1.0f;
   out.inverseConeWidth = spot ? 1 / std::max(light.cosInner - light.cosOuter, kMinConeWidth) : 1.0f;
-  out.extent = sphere ? light.radius : 1.0f;
+  out.extent = area ? light.radius : 1.0f;
   return out;
 }
 

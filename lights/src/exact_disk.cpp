@@ -1,0 +1,223 @@
+// Exact irradiance of disk lights. In the bisector frame (shader_disk.h) the rim is seen in the directions
+//
+//   w(psi) = (sx cos psi, sy sin psi, cx q),   q^2 = cos^2 psi + u^2 sin^2 psi,   u^2 = 1 - t^2,
+//
+// and n . (w x dw) = [sx sy nz - (sy cx nx cos psi + sx cx u^2 ny sin psi)/q] dpsi =: k dpsi.
+//
+// Lambert: half the integral of k over the visible part of the rim and of the horizon between its ends (Lambert 1760).
+// Any kernel f: about the normal dw = dx dphi, x = n.w, so that by Green's theorem the integral of f over the disk is
+// that of G(x) dphi along its rim, G(x) = int_x^1 f, and dphi = k/(1-x^2) dpsi. As it stands that is singular where the
+// rim passes -n, and wrong where the disk holds -n. So the mean of the kernel F/2, F = G(-1), is taken out, the
+// integral of which is the solid angle:
+//
+//   E = F/2 sx sy int dpsi/(1 + cx q) + int M(x) k dpsi,   M(x) = [G(x) - F (1-x)/2] / (1-x^2),
+//
+// M smooth on all of [-1, 1] but for the horizon x = -a, where it goes on as (x+a)^(2+a).
+#include <rigel/exact.h>
+#include <rigel/wrap.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "quadrature.h"
+#include "vec3d.h"
+
+namespace rigel {
+namespace {
+
+using detail::Vec3d;
+
+/// A disk as a receiver sees it, in the bisector frame: the cone of shader_disk.h and the unit normal.
+struct DiskPose {
+  double sx = 0, cx = 1, sy = 0, cy = 1;
+  double t = 0;
+  double u = 1;
+  double nx = 0, ny = 0, nz = 0;  // |nx|, |ny|: the cone is symmetric
+  bool lit = false;
+};
+
+double square(double x) noexcept { return x * x; }
+
+DiskPose poseOf(const DiskLight& light, Vec3 p, Vec3d n) noexcept {
+  DiskPose pose;
+  const Vec3d axis = detail::directionOf(light.direction);
+  const double radius = light.radius;
+  if (!(radius > 0) || !std::isfinite(radius) || detail::dot(axis, axis) == 0) return pose;
+  const Vec3d offset = detail::widen(p) - detail::widen(light.position);
+  const double along = detail::dot(axis, offset);
+  if (!std::isfinite(detail::dot(offset, offset)) || !(light.twoSided ? along != 0 : along > 0)) return pose;
+  const Vec3d emission = along > 0 ? axis : axis * -1.0;
+  const double height = std::abs(along);
+  const Vec3d across = offset - emission * height;
+  const double distance = std::sqrt(detail::dot(across, across));
+
+  const double z = height / radius;
+  const double rho = distance / radius;
+  const double edge = (distance - radius) / radius;
+  const double far = std::hypot(rho + 1, z);
+  const double near = std::hypot(edge, z);
+  const double product = far * near;
+  const double m = edge * (rho + 1) + z * z;
+  // Where the receiver is above the rim's circle of Thales cos(ax) is the larger of the two, else sin(ax).
+  const double larger = std::sqrt(0.5 * (product + std::abs(m)) / product);
+  const double smaller = std::sqrt(2 * (z / product) * (z / (product + std::abs(m))));
+  pose.cx = m > 0 ? larger : smaller;
+  pose.sx = m > 0 ? smaller : larger;
+  pose.t = 4 * rho / square(far + near);
+  pose.u = 2 * std::sqrt(product) / (far + near);
+  pose.sy = std::sqrt(square(pose.sx) + square(pose.t * pose.cx));
+  pose.cy = pose.cx * pose.u;
+  if (!(pose.sx > 0)) return pose;
+
+  const Vec3d toDisk = emission * -1.0;
+  const Vec3d helper = std::abs(axis.x) < 0.5 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};
+  const Vec3d side = detail::cross(axis, helper);
+  const Vec3d toAxis = distance > 0 ? across * (-1 / distance) : side * (1 / std::sqrt(detail::dot(side, side)));
+  const double nb = detail::dot(n, toAxis);
+  const double nd = detail::dot(n, toDisk);
+  const double along1 = pose.sx / pose.sy;
+  const double along2 = pose.t * pose.cx / pose.sy;
+  pose.nz = along2 * nb + along1 * nd;
+  pose.nx = std::abs(along1 * nb - along2 * nd);
+  pose.ny = std::abs(detail::dot(n, detail::cross(toDisk, toAxis)));
+  pose.lit = true;
+  return pose;
+}
+
+/// (x - atan x) / x^3; to 1e-16 of it.
+double atanRest(double x) noexcept {
+  if (x > 0.1) return (x - std::atan(x)) / (x * x * x);
+  const double q = x * x;
+  return 1.0 / 3 - q * (1.0 / 5 - q * (1.0 / 7 - q * (1.0 / 9 - q * (1.0 / 11 - q * (1.0 / 13 - q / 15)))));
+}
+
+/// (atanh y - y) / y^3.
+double atanhRest(double y) noexcept {
+  if (y > 0.1) return (std::atanh(y) - y) / (y * y * y);
+  const double q = y * y;
+  return 1.0 / 3 + q * (1.0 / 5 + q * (1.0 / 7 + q * (1.0 / 9 + q * (1.0 / 11 + q * (1.0 / 13 + q / 15)))));
+}
+
+/// Lambert per unit radiance, clipped at the horizon; derived in shader_disk_irradiance.h.
+double lambertDisk(const DiskPose& d) noexcept {
+  // The horizon cuts the rim at f0 -+ phi, f the rim's angle in (sx u cos f, sy sin f, cx u).
+  const double ex = d.sx * d.u * d.nx;
+  const double ey = d.sy * d.ny;
+  const double ez = d.cy * d.nz;
+  const double a = std::hypot(ex, ey);
+  if (ez >= a) return kPi * d.sx * d.sy * d.nz;
+  if (ez <= -a) return 0;
+  const double cosF = ex / a;
+  const double sinF = ey / a;
+  const double cosPhi = -ez / a;
+  const double sinPhi = std::sqrt((a - ez) * (a + ez)) / a;
+
+  const double t2 = d.t * d.t;
+  const double u2 = d.u * d.u;
+  const double ss = (sinF * cosPhi - cosF * sinPhi) * (sinF * cosPhi + cosF * sinPhi);
+  const double cc = (cosF * cosPhi - sinF * sinPhi) * (cosF * cosPhi + sinF * sinPhi);
+  const double tau = t2 * sinPhi * sinPhi;
+  const double atX = u2 + t2 * ss;
+  const double atY = u2 * cosF * cosF + sinF * sinF + tau;
+  const double atHorizon = u2 * (d.cx * d.cx + d.sx * d.sx * cc) + d.sy * d.sy * ss;
+  const double horizon = 2 * sinPhi * d.sx * d.u * d.sy * d.cy / a;
+  const double x = 2 * d.u * sinPhi * cosF;
+  const double y = 2 * sinPhi * sinF / atY;
+
+  const double half = std::atan2(2 * d.u * sinPhi * std::abs(cosPhi), u2 * cc + ss);
+  const double arc = d.sx * d.sy * d.nz * (cosPhi > 0 ? half : 2 * kPi - half);
+  const double scaleX = d.sy * d.cx * d.nx;
+  const double scaleY = d.sx * d.cx * u2 * d.ny;
+  const double restY = scaleY * y * square(d.t * y) * atanhRest(d.t * y);
+  if (horizon < atHorizon && d.t * x < atX) {
+    const double v = horizon / atHorizon;
+    const double perX = x / atX;
+    const double leading =
+        horizon / atX * (2 * square(d.sx * d.u * sinPhi) / atHorizon + square(d.nz) + 2 * tau * square(d.ny) / atY);
+    const double rest = scaleX * perX * square(d.t * perX) * atanRest(d.t * perX) - v * v * v * atanRest(v) - restY;
+    return std::max(0.0, 0.5 * (arc + leading + rest));
+  }
+  const double angles = std::atan2(horizon, atHorizon) - scaleX / d.t * std::atan2(d.t * x, atX);
+  return std::max(0.0, 0.5 * (arc + angles - scaleY * y - restY));
+}
+
+/// The kernel's integral over the contour for any a.
+class WrapContour {
+ public:
+  WrapContour(const DiskPose& pose, double a) noexcept
+      : d_(pose), a_(a), whole_((1 + a) / (2 + a)), power_(2 + a), peak_(kPi * pose.sx * pose.sy) {}
+
+  double irradiance() const noexcept {
+    if (d_.sy < kSmall) return flat();
+    const double tolerance = kTolerance * peak_;
+    const auto folded = [&](double psi) noexcept { return quadrants(psi); };
+    double sum = 0;
+    for (int i = 0; i < 2; ++i) {
+      sum += detail::integrateAdaptive(folded, i * kPi / 4, (i + 1) * kPi / 4, tolerance, kMaxDepth);
+    }
+    return std::max(0.0, sum);
+  }
+
+ private:
+  /// A light so small that it is flat: the integral over an ellipse in slices of equal x.
+  double flat() const noexcept {
+    const double width = std::hypot(d_.sx * d_.nx, d_.sy * d_.ny);
+    const auto slice = [&](double phi) noexcept {
+      return wrapKernel(d_.nz + width * std::sin(phi), a_) * square(std::cos(phi));
+    };
+    const double top = kPi / 2;
+    return 2 * d_.sx * d_.sy * detail::integrateAdaptive(slice, -top, top, kTolerance, kMaxDepth);
+  }
+
+  double quadrants(double psi) const noexcept {
+    const double c = std::cos(psi);
+    const double s = std::sin(psi);
+    const double q = std::sqrt(c * c + square(d_.u * s));
+    const double perQ = q > 0 ? 1 / q : 0;
+    const double kz = d_.sx * d_.sy * d_.nz;
+    const double kx = d_.sy * d_.cx * d_.nx * c * perQ;
+    const double ky = d_.sx * d_.cx * square(d_.u) * d_.ny * s * perQ;
+    const double level = d_.cx * q * d_.nz;
+    const double x = d_.sx * c * d_.nx;
+    const double y = d_.sy * s * d_.ny;
+    return 2 * whole_ * d_.sx * d_.sy / (1 + d_.cx * q) + bend(level + x + y) * (kz - kx - ky) +
+           bend(level + x - y) * (kz - kx + ky) + bend(level - x + y) * (kz + kx - ky) +
+           bend(level - x - y) * (kz + kx + ky);
+  }
+
+  /// M(x).
+  double bend(double x) const noexcept {
+    if (x <= -a_) return 0.5 * whole_ / (1 - x);
+    const double drop = std::max(0.0, (1 - x) / (1 + a_));
+    if (x > 0) {
+      const double perDrop = drop > 0 ? -std::expm1(power_ * std::log1p(-drop)) / drop : power_;
+      return whole_ * (perDrop / (1 + a_) - 0.5) / (1 + x);
+    }
+    const double below = std::pow((x + a_) / (1 + a_), power_);
+    return whole_ * (0.5 - (below > 0 ? below / (1 + x) : 0)) / (1 - x);
+  }
+
+  static constexpr double kTolerance = 1e-9;  // of the peak pi sx sy
+  static constexpr double kSmall = 1e-5;
+  static constexpr int kMaxDepth = 40;
+
+  DiskPose d_;
+  double a_;
+  double whole_;  // F
+  double power_;
+  double peak_;
+};
+
+}  // namespace
+
+RgbD exactIrradiance(const DiskLight& light, Vec3 p, Vec3 n, float wrap) noexcept {
+  const Vec3d normal = detail::directionOf(n);
+  if (detail::dot(normal, normal) == 0 || detail::anyNan(light.radiance)) return {};
+  const DiskPose pose = poseOf(light, p, normal);
+  if (!pose.lit) return {};
+  const double a = clampWrap(wrap);
+  return light.radiance * (a == 0 ? lambertDisk(pose) : WrapContour(pose, a).irradiance());
+}
+
+}  // namespace rigel
