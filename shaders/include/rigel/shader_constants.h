@@ -39,6 +39,10 @@ RIGEL_CONSTANT kRigelMaxWrap = 1.0;
 // What irradiance of a single light is held to, so that sums of any number of them stay finite (project.h).
 RIGEL_CONSTANT kRigelMaxScale = 1e32;
 
+// Disk lights farther away than this many radii are seen from here, at equal power. In float the fourth power of it is
+// finite, and what it rounds off is 1e-12.
+RIGEL_CONSTANT kRigelDiskReach = 1e6;
+
 // Distances to a near light whose inverse float does not hold give no light.
 RIGEL_CONSTANT kRigelMinReach = 1e-37;
 RIGEL_CONSTANT kRigelMaxReach = 1e37;

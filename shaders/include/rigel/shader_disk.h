@@ -7,8 +7,8 @@
 //
 // smooth everywhere but on the rim itself, so that a few Gauss-Legendre nodes do. ax <= ay are the cone's half-angles,
 // s and c their sine and cosine. Lengths are in disk radii: the receiver is at distance rho from the axis and at height
-// z above the face. All of it is finite for rho and z from 0 to 1e18 in float and to 1e150 in double; z = 0 is the
-// limit from above. Parsed by C++ and GLSL.
+// z above the face. All of it is finite for rho and z from 0 to kRigelDiskReach; z = 0 is the limit from above. Parsed
+// by C++ and GLSL.
 #ifndef RIGEL_SHADER_DISK_H
 #define RIGEL_SHADER_DISK_H
 
@@ -26,49 +26,47 @@
 #define rigel_diskMoments8 diskMoments8
 namespace RIGEL_SHADER_NAMESPACE {
 #else
-#include "rigel/sh.glsl"
+#define Real float
+#define Bands 5
 #endif
 
-/// t = 0 on the axis, 1 on the rim; sy^2 = sx^2 + t^2 cx^2. The squares come first, they lose no digits anywhere.
+/// t = 0 on the axis, 1 on the rim; u^2 = 1 - t^2, sy^2 = sx^2 + t^2 cx^2, cy = u cx. No square loses digits anywhere.
 RIGEL_STRUCT(DiskCone) {
   Real sx2, cx2, sy2, cy2;
-  Real sx, cx, sy, cy, t;
+  Real sx, cx, sy, cy;
+  Real t, u;
 };
 
-/// `t2Rest`: 1 - t^2.
-RIGEL_GENERIC RIGEL_FUNCTION RIGEL_OF(DiskCone)
-    rigel_diskConeOf(Real sx2, Real cx2, Real t, Real t2Rest) RIGEL_NOEXCEPT {
+RIGEL_GENERIC RIGEL_FUNCTION RIGEL_OF(DiskCone) rigel_diskConeOf(Real sx, Real cx, Real t, Real u2) RIGEL_NOEXCEPT {
   RIGEL_OF(DiskCone) cone;
   cone.t = t;
-  cone.sx2 = sx2;
-  cone.cx2 = cx2;
-  cone.sy2 = sx2 + t * t * cx2;
-  cone.cy2 = cx2 * t2Rest;
-  cone.sx = sqrt(cone.sx2);
-  cone.cx = sqrt(cone.cx2);
+  cone.u = sqrt(u2);
+  cone.sx = sx;
+  cone.cx = cx;
+  cone.sx2 = sx * sx;
+  cone.cx2 = cx * cx;
+  cone.sy2 = cone.sx2 + t * t * cone.cx2;
+  cone.cy2 = cone.cx2 * u2;
   cone.sy = sqrt(cone.sy2);
-  cone.cy = sqrt(cone.cy2);
+  cone.cy = cx * cone.u;
   return cone;
 }
 
-/// rho, z >= 0.
-RIGEL_GENERIC RIGEL_FUNCTION RIGEL_OF(DiskCone) rigel_diskCone(Real rho, Real z) RIGEL_NOEXCEPT {
-  // Distances to the farthest and the nearest point of the rim.
-  Real inner = rho - Real(1.0f);
-  Real outer = rho + Real(1.0f);
-  Real z2 = z * z;
-  Real d1 = sqrt(outer * outer + z2);
-  Real d2 = max(sqrt(inner * inner + z2), z);
-  Real product = max(d1 * d2, Real(1e-37f));
-  Real perSum = Real(1.0f) / (d1 + d2);
-  // cos(2 ax) = m / (d1 d2): the larger of sine and cosine from the sum, the smaller from their product, z / (d1 d2).
-  Real m = inner * outer + z2;
+/// rho, z >= 0; `edge` = rho - 1, which callers near the rim know better than rho says.
+RIGEL_GENERIC RIGEL_FUNCTION RIGEL_OF(DiskCone) rigel_diskCone(Real rho, Real edge, Real z) RIGEL_NOEXCEPT {
+  // d1, d2 are the distances to the farthest and the nearest point of the rim: cos(2 ax) = m / (d1 d2) and
+  // sin(2 ax) = 2 z / (d1 d2), t = (d1 - d2)/(d1 + d2).
+  Real m = edge * (edge + Real(2.0f)) + z * z;
+  Real product = max(sqrt(m * m + Real(4.0f) * z * z), Real(1e-18f));
+  Real halfSquare = m + Real(2.0f) + product;  // (d1 + d2)^2 / 2
   Real sum = product + abs(m);
-  Real larger = Real(0.5f) * sum / product;
-  Real smaller = Real(2.0f) * (z / product) * (z / sum);
-  Real t = Real(4.0f) * rho * perSum * perSum;
+  Real all = Real(1.0f) / (product * sum * halfSquare);
+  Real perHalfSquare = all * product * sum;
+  // The larger of sine and cosine of ax, and the smaller from their product.
+  Real larger = sqrt(Real(0.5f) * sum * (all * sum * halfSquare));
+  Real smaller = Real(2.0f) * z * larger * (all * product * halfSquare);
   return rigel_diskConeOf(rigel_select(m > Real(0.0f), smaller, larger), rigel_select(m > Real(0.0f), larger, smaller),
-                          t, Real(4.0f) * product * perSum * perSum);
+                          Real(2.0f) * rho * perHalfSquare, Real(2.0f) * product * perHalfSquare);
 }
 
 /// SH per vector irradiance, which is pi L sx sy along Z: coefficient (1, 0) is Y_10(Z), those not listed are 0, and of
@@ -136,46 +134,44 @@ RIGEL_GENERIC_BANDS RIGEL_FUNCTION RIGEL_OF(DiskMoments)
   return q;
 }
 
-// Gauss-Legendre in psi. Errors relative to ||q||:
+// Gauss-Legendre in psi.
+
+#define RIGEL_PAIR RIGEL_BANDED(rigel_addDiskPair)
 
 RIGEL_GENERIC_BANDS RIGEL_FUNCTION RIGEL_OF(DiskMoments)
     rigel_diskMoments4(RIGEL_IN(RIGEL_OF(DiskCone)) cone) RIGEL_NOEXCEPT {
   RIGEL_OF(DiskSums) sums = rigel_diskSums(Real(0.0f));
-  RIGEL_BANDED(rigel_addDiskPair)
-  (sums, cone, Real(0.32607257743127307), Real(0.24549210725212254), Real(0.75450789274787746));
-  RIGEL_BANDED(rigel_addDiskPair)
-  (sums, cone, Real(0.17392742256872693), Real(0.011847712960255530), Real(0.98815228703974447));
+  RIGEL_PAIR(sums, cone, Real(0.32607257743127307), Real(0.24549210725212254), Real(0.75450789274787746));
+  RIGEL_PAIR(sums, cone, Real(0.17392742256872693), Real(0.011847712960255530), Real(0.98815228703974447));
   return RIGEL_BANDED(rigel_diskMomentsOf)(sums, cone);
 }
 
 RIGEL_GENERIC_BANDS RIGEL_FUNCTION RIGEL_OF(DiskMoments)
     rigel_diskMoments6(RIGEL_IN(RIGEL_OF(DiskCone)) cone) RIGEL_NOEXCEPT {
   RIGEL_OF(DiskSums) sums = rigel_diskSums(Real(0.0f));
-  RIGEL_BANDED(rigel_addDiskPair)
-  (sums, cone, Real(0.23395696728634552), Real(0.31694648792969507), Real(0.68305351207030493));
-  RIGEL_BANDED(rigel_addDiskPair)
-  (sums, cone, Real(0.18038078652406930), Real(0.069146250420202816), Real(0.93085374957979718));
-  RIGEL_BANDED(rigel_addDiskPair)
-  (sums, cone, Real(0.085662246189585173), Real(0.0028104265513645311), Real(0.99718957344863547));
+  RIGEL_PAIR(sums, cone, Real(0.23395696728634552), Real(0.31694648792969507), Real(0.68305351207030493));
+  RIGEL_PAIR(sums, cone, Real(0.18038078652406930), Real(0.069146250420202816), Real(0.93085374957979718));
+  RIGEL_PAIR(sums, cone, Real(0.085662246189585173), Real(0.0028104265513645311), Real(0.99718957344863547));
   return RIGEL_BANDED(rigel_diskMomentsOf)(sums, cone);
 }
 
 RIGEL_GENERIC_BANDS RIGEL_FUNCTION RIGEL_OF(DiskMoments)
     rigel_diskMoments8(RIGEL_IN(RIGEL_OF(DiskCone)) cone) RIGEL_NOEXCEPT {
   RIGEL_OF(DiskSums) sums = rigel_diskSums(Real(0.0f));
-  RIGEL_BANDED(rigel_addDiskPair)
-  (sums, cone, Real(0.18134189168918099), Real(0.35791603804903561), Real(0.64208396195096439));
-  RIGEL_BANDED(rigel_addDiskPair)
-  (sums, cone, Real(0.15685332293894364), Real(0.13255503062228385), Real(0.86744496937771615));
-  RIGEL_BANDED(rigel_addDiskPair)
-  (sums, cone, Real(0.11119051722668724), Real(0.025287307850590567), Real(0.97471269214940943));
-  RIGEL_BANDED(rigel_addDiskPair)
-  (sums, cone, Real(0.050614268145188130), Real(0.00097239307474659505), Real(0.99902760692525340));
+  RIGEL_PAIR(sums, cone, Real(0.18134189168918099), Real(0.35791603804903561), Real(0.64208396195096439));
+  RIGEL_PAIR(sums, cone, Real(0.15685332293894364), Real(0.13255503062228385), Real(0.86744496937771615));
+  RIGEL_PAIR(sums, cone, Real(0.11119051722668724), Real(0.025287307850590567), Real(0.97471269214940943));
+  RIGEL_PAIR(sums, cone, Real(0.050614268145188130), Real(0.00097239307474659505), Real(0.99902760692525340));
   return RIGEL_BANDED(rigel_diskMomentsOf)(sums, cone);
 }
 
+#undef RIGEL_PAIR
+
 #ifdef __cplusplus
 }  // namespace RIGEL_SHADER_NAMESPACE
+#else
+#undef Real
+#undef Bands
 #endif
 
 #endif

@@ -6,15 +6,65 @@
 #include "rigel/shader_disk.h"
 
 #ifdef __cplusplus
+#define rigel_diskPlace diskPlace
 #define rigel_diskView diskView
 #define rigel_diskBand2 diskBand2
 #define rigel_diskBand3 diskBand3
 #define rigel_diskBand4 diskBand4
 #define rigel_addZonalBand4 addZonalBand4
 namespace RIGEL_SHADER_NAMESPACE {
+#else
+#define Real float
 #endif
 
-/// A disk as a receiver sees it. X, Y, Z: the axes of the bisector frame in the frame of the arguments.
+/// Where a receiver is: rho and z of shader_disk.h, X_b the unit vector from it towards the disk's axis (on the axis
+/// any that is perpendicular), Z_b towards the disk's plane; Y is perpendicular to both.
+RIGEL_STRUCT(DiskPlace) {
+  Real rho, z;
+  Real xx, xy, xz;
+  Real yx, yy, yz;
+  Real zx, zy, zz;
+};
+
+/// `v`: from the receiver to the disk's centre, in radii. `a`: unit vector the disk emits along; zero gives z = 0.
+/// `behind`: -1 where it emits backwards too, else 0 (GpuNearLight::cosOuter).
+RIGEL_GENERIC RIGEL_FUNCTION RIGEL_OF(DiskPlace)
+    rigel_diskPlace(Real vx, Real vy, Real vz, Real ax, Real ay, Real az, Real behind) RIGEL_NOEXCEPT {
+  // Two axes s, t perpendicular to `a` (T. Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 2017): what
+  // they make is perpendicular even where v is all but parallel to a.
+  Real side = rigel_select(az < Real(0.0f), Real(-1.0f), Real(1.0f));
+  Real k = Real(-1.0f) / (side + az);
+  Real sx = Real(1.0f) + side * ax * ax * k;
+  Real tx = ax * ay * k;
+  Real sy = side * tx;
+  Real ty = side + ay * ay * k;
+  Real sz = -side * ax;
+  Real tz = -ay;
+
+  Real along = vx * ax + vy * ay + vz * az;
+  Real vs = vx * sx + vy * sy + vz * sz;
+  Real vt = vx * tx + vy * ty + vz * tz;
+  Real facing = rigel_select(along > Real(0.0f), behind, Real(1.0f));
+
+  RIGEL_OF(DiskPlace) place;
+  place.rho = sqrt(vs * vs + vt * vt);
+  place.z = -along * facing;
+  Real perRho = Real(1.0f) / max(place.rho, Real(1e-18f));
+  Real cosine = rigel_select(place.rho > Real(1e-18f), vs * perRho, Real(1.0f));
+  Real sine = rigel_select(place.rho > Real(1e-18f), vt * perRho, Real(0.0f));
+  place.xx = cosine * sx + sine * tx;
+  place.xy = cosine * sy + sine * ty;
+  place.xz = cosine * sz + sine * tz;
+  place.yx = facing * (sine * sx - cosine * tx);
+  place.yy = facing * (sine * sy - cosine * ty);
+  place.yz = facing * (sine * sz - cosine * tz);
+  place.zx = -facing * ax;
+  place.zy = -facing * ay;
+  place.zz = -facing * az;
+  return place;
+}
+
+/// A disk as a receiver sees it; X, Y, Z: the axes of the bisector frame.
 RIGEL_STRUCT(DiskView) {
   RIGEL_OF(DiskCone) cone;
   Real flux;  // vector irradiance over pi L: sx sy, or 0 behind the disk and in its plane
@@ -23,54 +73,25 @@ RIGEL_STRUCT(DiskView) {
   Real zx, zy, zz;
 };
 
-/// `v`: from the receiver to the disk's centre, in radii. `a`: unit vector the disk emits along; zero gives no light.
-/// `behind`: -1 where it emits backwards too, else 0 (GpuNearLight::cosOuter).
+/// `edge`: rho - 1.
 RIGEL_GENERIC RIGEL_FUNCTION RIGEL_OF(DiskView)
-    rigel_diskView(Real vx, Real vy, Real vz, Real ax, Real ay, Real az, Real behind) RIGEL_NOEXCEPT {
-  // Two axes perpendicular to `a` (T. Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 2017): what they
-  // make is perpendicular even where v is all but parallel to a.
-  Real side = rigel_select(az < Real(0.0f), Real(-1.0f), Real(1.0f));
-  Real k = Real(-1.0f) / (side + az);
-  Real mixed = ax * ay * k;
-  Real sx = Real(1.0f) + side * ax * ax * k;
-  Real sy = side * mixed;
-  Real sz = -side * ax;
-  Real tx = mixed;
-  Real ty = side + ay * ay * k;
-  Real tz = -ay;
-
-  Real along = vx * ax + vy * ay + vz * az;
-  Real vs = vx * sx + vy * sy + vz * sz;
-  Real vt = vx * tx + vy * ty + vz * tz;
-  Real facing = rigel_select(along > Real(0.0f), behind, Real(1.0f));
-  Real z = -along * facing;
-  Real rho = sqrt(vs * vs + vt * vt);
-  Real perRho = Real(1.0f) / max(rho, Real(1e-37f));
-  Real cosine = rigel_select(rho > Real(1e-37f), vs * perRho, Real(1.0f));
-  Real sine = rigel_select(rho > Real(1e-37f), vt * perRho, Real(0.0f));
-
+    rigel_diskView(RIGEL_IN(RIGEL_OF(DiskPlace)) place, Real edge) RIGEL_NOEXCEPT {
   RIGEL_OF(DiskView) view;
-  view.cone = rigel_diskCone(rho, z);
-  view.flux = rigel_select(z > Real(0.0f), view.cone.sx * view.cone.sy, Real(0.0f));
-  // The frame is tilted from the disk's own, (X_b, Y, Z_b), about Y.
-  Real perSy = Real(1.0f) / max(view.cone.sy, Real(1e-37f));
+  view.cone = rigel_diskCone(place.rho, edge, place.z);
+  view.flux = rigel_select(place.z > Real(0.0f), view.cone.sx * view.cone.sy, Real(0.0f));
+  // Tilted about Y.
+  Real perSy = Real(1.0f) / max(view.cone.sy, Real(1e-18f));
   Real cosTilt = view.cone.sx * perSy;
   Real sinTilt = view.cone.t * view.cone.cx * perSy;
-  Real xbx = cosine * sx + sine * tx;
-  Real xby = cosine * sy + sine * ty;
-  Real xbz = cosine * sz + sine * tz;
-  Real zbx = -facing * ax;
-  Real zby = -facing * ay;
-  Real zbz = -facing * az;
-  view.xx = cosTilt * xbx - sinTilt * zbx;
-  view.xy = cosTilt * xby - sinTilt * zby;
-  view.xz = cosTilt * xbz - sinTilt * zbz;
-  view.yx = facing * (sine * sx - cosine * tx);
-  view.yy = facing * (sine * sy - cosine * ty);
-  view.yz = facing * (sine * sz - cosine * tz);
-  view.zx = sinTilt * xbx + cosTilt * zbx;
-  view.zy = sinTilt * xby + cosTilt * zby;
-  view.zz = sinTilt * xbz + cosTilt * zbz;
+  view.xx = cosTilt * place.xx - sinTilt * place.zx;
+  view.xy = cosTilt * place.xy - sinTilt * place.zy;
+  view.xz = cosTilt * place.xz - sinTilt * place.zz;
+  view.yx = place.yx;
+  view.yy = place.yy;
+  view.yz = place.yz;
+  view.zx = sinTilt * place.xx + cosTilt * place.zx;
+  view.zy = sinTilt * place.xy + cosTilt * place.zy;
+  view.zz = sinTilt * place.xz + cosTilt * place.zz;
   return view;
 }
 
@@ -153,6 +174,8 @@ RIGEL_GENERIC RIGEL_FUNCTION void rigel_diskBand4(RIGEL_IN(RIGEL_OF(DiskMoments)
 
 #ifdef __cplusplus
 }  // namespace RIGEL_SHADER_NAMESPACE
+#else
+#undef Real
 #endif
 
 #endif

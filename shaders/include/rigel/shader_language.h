@@ -3,7 +3,8 @@
 // macro beside each function makes it rigel::detail::x there. They use float literals with a suffix, no implicit
 // conversion, and of the built-in functions only those below.
 //
-// Text that is generic in Real is a template in C++, for float, double, dual numbers and SIMD lanes, and float in GLSL.
+// Text that is generic in Real is a template in C++, for float, double, dual numbers and SIMD lanes; GLSL takes it with
+// Real = float and Bands = 5, and leaves out what nobody reads.
 // It has no branch on a Real but rigel_select, and no built-in function but sqrt, abs, min, max and clamp. A file of
 // such text can be compiled into another namespace, with other attributes, by defining RIGEL_SHADER_NAMESPACE and
 // RIGEL_FUNCTION anew and taking its guard away.
@@ -66,10 +67,8 @@ inline float uintBitsToFloat(uint bits) noexcept { return std::bit_cast<float>(b
 #define RIGEL_INOUT(Type) inout Type
 #define RIGEL_ARRAY(array, count) inout float array[count]
 
-#define Real float
-#define Bands RIGEL_BANDS
-#define RIGEL_STRUCT(Type) struct rigel_##Type
-#define RIGEL_OF(Type) rigel_##Type
+#define RIGEL_STRUCT(Type) struct Rigel##Type
+#define RIGEL_OF(Type) Rigel##Type
 #define RIGEL_GENERIC
 #define RIGEL_GENERIC_BANDS
 #define RIGEL_BANDED(function) function
