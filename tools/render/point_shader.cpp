@@ -30,8 +30,11 @@ Rgb colourOf(GpuVec4 v) { return {v.x, v.y, v.z}; }
 }  // namespace
 
 Result<PointShader> PointShader::create(const GpuContext& context, const RigRunner& rig, std::span<const float> wraps,
-                                        RigStorage storage, std::size_t mostPoints) {
-  auto buffers = ShadingBuffers::create(context, {{&rig}, {wraps.begin(), wraps.end()}, 0}, storage);
+                                        RigStorage storage, std::size_t mostPoints, Effect wrappedDisk) {
+  ShadingRoom room{{&rig}, {wraps.begin(), wraps.end()}};
+  for (const float wrap : wraps)
+    if (nearKindsOf(rig.lightKinds(), wrap, wrappedDisk).has(Effect::light_near_diskTable)) room.diskTable = true;
+  auto buffers = ShadingBuffers::create(context, room, storage);
   if (!buffers) return buffers.error();
   auto commands = GpuCommands::create(context);
   if (!commands) return commands.error();
@@ -42,10 +45,11 @@ Result<PointShader> PointShader::create(const GpuContext& context, const RigRunn
   PointShader shader(context, *std::move(buffers), *std::move(commands), *std::move(points), *std::move(results));
   if (auto error = shader.buffers_.setPoints(shader.points_, shader.results_)) return *error;
   shader.lightKinds_ = rig.lightKinds();
+  shader.wrappedDisk_ = wrappedDisk;
   shader.wraps_.assign(wraps.begin(), wraps.end());
   const GpuRig packed = shader.buffers_.pack(0, rig).packed;
   for (const float wrap : wraps)
-    for (const ShaderVariant& variant : possibleVariants(rig, packed, wrap, rig.lightKinds()))
+    for (const ShaderVariant& variant : possibleVariants(rig, packed, wrap, shader.nearKinds(wrap)))
       if (auto error = shader.add(context, variant)) return *error;
   if (auto error = shader.warmUp()) return *error;
   return shader;
@@ -142,7 +146,7 @@ Result<double> PointShader::shade(const RigRunner& rig, std::span<const PointAnd
   place_ = buffers_.pack(0, rig);
   fillPoints(points, wraps);
   for (Batch& batch : batches_) {
-    batch.variant = variantOf(rig, place_.packed, rig.effects(batch.wrap), nearKindsOf(lightKinds_, batch.wrap));
+    batch.variant = variantOf(rig, place_.packed, rig.effects(batch.wrap), nearKinds(batch.wrap));
     if (pipelineOf(batch.variant) == nullptr)
       return Error{"an effect that was not prepared for", rig.rig().spec().text};
   }

@@ -12,9 +12,9 @@ namespace rigel::tools {
 class PointShader {
  public:
   /// `rig` is fitted to a frame of the scene; other frames have lights of the same kinds. `wraps` are those that points
-  /// may have, `mostPoints` their number at most.
+  /// may have, `mostPoints` their number at most; `wrappedDisk` as in RenderOptions.
   static Result<PointShader> create(const GpuContext& context, const RigRunner& rig, std::span<const float> wraps,
-                                    RigStorage storage, std::size_t mostPoints);
+                                    RigStorage storage, std::size_t mostPoints, Effect wrappedDisk = kWrappedDisk);
   std::size_t mostPoints() const;
   bool knowsWraps(std::span<const float> wraps) const;
 
@@ -50,6 +50,7 @@ class PointShader {
         points_(std::move(points)),
         results_(std::move(results)) {}
 
+  Effects nearKinds(float wrap) const { return nearKindsOf(lightKinds_, wrap, wrappedDisk_); }
   std::optional<Error> warmUp();
   void fillPoints(std::span<const PointAndNormal> points, std::span<const float> wraps);
   std::optional<Error> add(const GpuContext& context, const ShaderVariant& variant);
@@ -64,6 +65,7 @@ class PointShader {
   std::vector<Entry> shelf_;
   std::vector<std::uint32_t> order_;  // of the points in the buffer
   Effects lightKinds_;
+  Effect wrappedDisk_ = kWrappedDisk;
   std::vector<float> wraps_;
   int repeats_ = 1;
   ShadingPlace place_;

@@ -3,6 +3,8 @@
 
 #include "report/run_options.h"
 
+#include <rigel/effects.h>
+
 #include <filesystem>
 
 namespace rigel::tools {
@@ -31,6 +33,7 @@ struct RenderOptions {
   int supersampling = 2;  // pictures are drawn at that many times their size a side
   RigStorage storage = RigStorage::float32;
   bool perVertex = false;
+  Effect wrappedDisk = kWrappedDisk;  // light_near_diskTable or light_near_diskQuadrature
   RenderReference against = RenderReference::none;
   std::filesystem::path shaderCache = {};  // file that keeps specialised shaders; "": none
 };

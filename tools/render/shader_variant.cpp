@@ -85,21 +85,22 @@ ShaderVariant variantOf(const RigRunner& runner, const GpuRig& packed, Effects e
   return variant;
 }
 
-Effects nearKindsOf(Effects lightKinds, float wrap) {
+Effects nearKindsOf(Effects lightKinds, float wrap, Effect wrappedDisk) {
   Effects kinds;
   if (lightKinds.has(Effect::light_directional)) kinds.add(Effect::light_near_directional);
   if (lightKinds.has(Effect::light_point)) kinds.add(Effect::light_near_point);
   if (lightKinds.has(Effect::light_spot)) kinds.add(Effect::light_near_spot);
   if (lightKinds.has(Effect::light_sphere)) kinds.add(Effect::light_near_sphere);
+  if (lightKinds.has(Effect::light_disk)) kinds.add(Effect::light_near_disk);
+  if (lightKinds.has(Effect::light_disk) && wrap != 0) kinds.add(wrappedDisk);
   if (!kinds.empty() && wrap != 0) kinds.add(Effect::light_near_wrap);
   return kinds;
 }
 
 std::vector<ShaderVariant> possibleVariants(const RigRunner& runner, const GpuRig& packed, float wrap,
-                                            Effects lightKinds) {
+                                            Effects nearKinds) {
   const LightingOptions& asked = runner.asked();
   const bool chooses = asked.target.kind != LightingTarget::Kind::none;
-  const Effects nearKinds = nearKindsOf(lightKinds, wrap);
   const Effects rig = rigEffects(runner.rig().spec());
   std::vector<ShaderVariant> all;
   for (const bool hasRig : {true, false}) {
@@ -121,10 +122,10 @@ std::vector<ShaderVariant> possibleVariants(const RigRunner& runner, const GpuRi
   return all;
 }
 
-ShaderVariant nearVariant(int bands, const LightSet& lights, float wrap) {
+ShaderVariant nearVariant(int bands, Effects nearKinds) {
   ShaderVariant variant;
   variant.bands = bands;
-  variant.effects = nearKindsOf(lights, wrap);
+  variant.effects = nearKinds;
   return variant;
 }
 

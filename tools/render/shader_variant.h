@@ -47,15 +47,16 @@ struct ShaderVariant {
 /// or less changes nothing: the variant has all `nearKinds` of the scene, or none.
 ShaderVariant variantOf(const RigRunner& runner, const GpuRig& packed, Effects effects, Effects nearKinds);
 
-/// The near effects that lights of these kinds (lightEffects) may come to call for.
-Effects nearKindsOf(Effects lightKinds, float wrap);
-inline Effects nearKindsOf(const LightSet& lights, float wrap) { return nearKindsOf(lightEffects(lights), wrap); }
+/// The near effects that lights of these kinds (lightEffects) may come to call for; disks on materials that wrap by
+/// `wrappedDisk`.
+Effects nearKindsOf(Effects lightKinds, float wrap, Effect wrappedDisk = kWrappedDisk);
 
 /// Every variant that frames to come may want: with near lights and without, with a high band and without.
+/// `nearKinds` as nearKindsOf gives them for `wrap`.
 std::vector<ShaderVariant> possibleVariants(const RigRunner& runner, const GpuRig& packed, float wrap,
-                                            Effects lightKinds);
+                                            Effects nearKinds);
 
 /// Something lit by near lights alone.
-ShaderVariant nearVariant(int bands, const LightSet& lights, float wrap);
+ShaderVariant nearVariant(int bands, Effects nearKinds);
 
 }  // namespace rigel::tools

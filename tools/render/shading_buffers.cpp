@@ -18,7 +18,8 @@ enum Binding : std::uint32_t {
   kObject,
   kMaterial,
   kPoints,  // of points.comp, as kResults
-  kResults
+  kResults,
+  kDiskTable
 };
 
 constexpr int kNearVec4 = sizeof(GpuNearLight) / sizeof(GpuVec4);
@@ -36,10 +37,10 @@ void putNearLight(const NearLight& light, GpuVec4* out) {
 
 Result<ShadingBuffers> ShadingBuffers::create(const GpuContext& context, const ShadingRoom& room, RigStorage storage) {
   using Kind = BindingSlot::Kind;
-  constexpr BindingSlot kSlots[] = {{kCoefficients, Kind::texels},   {kGaussNodes, Kind::texels},
-                                    {kNearLights, Kind::texels},     {kLattice, Kind::texture},
-                                    {kObject, Kind::uniformDynamic}, {kMaterial, Kind::uniformDynamic},
-                                    {kPoints, Kind::texels},         {kResults, Kind::storage}};
+  constexpr BindingSlot kSlots[] = {
+      {kCoefficients, Kind::texels}, {kGaussNodes, Kind::texels},     {kNearLights, Kind::texels},
+      {kLattice, Kind::texture},     {kObject, Kind::uniformDynamic}, {kMaterial, Kind::uniformDynamic},
+      {kPoints, Kind::texels},       {kResults, Kind::storage},       {kDiskTable, Kind::texels}};
   constexpr std::uint32_t kPushBytes = 128;  // what every device has
   auto layout = GpuLayout::create(context, kSlots, kPushBytes);
   if (!layout) return layout.error();
@@ -116,6 +117,8 @@ std::optional<Error> ShadingBuffers::createBindings(const GpuContext& context, c
     for (auto error : {bindings->set(kCoefficients, *coefficients_), bindings->set(kGaussNodes, *gaussNodes_),
                        bindings->set(kNearLights, *nearLights_), bindings->set(kObject, *objects_, sizeof(GpuRig)),
                        bindings->set(kMaterial, *materials_, sizeof(GpuWrap)),
+                       // Nobody reads it where there is no table, but what a shader might read must be there.
+                       bindings->set(kDiskTable, diskTable_ ? *diskTable_ : *nearLights_),
                        bindings->set(kLattice, i < textures_.size() && textures_[i] ? *textures_[i] : *noTexture_)})
       if (error) return error;
     bindings_.push_back(*std::move(bindings));

@@ -21,6 +21,7 @@ struct ShadingRoom {
   std::vector<const RigRunner*> rigs;  // one for each object with a rig
   std::vector<float> wraps;            // different ones; Lambert need not be among them
   int lights = 0;                      // of the scene, for what is lit by all of them exactly
+  bool diskTable = false;              // light_near_diskTable: the table is opened and uploaded
 };
 
 /// Sizes are fixed when it is made; a frame allocates nothing.
@@ -33,6 +34,7 @@ class ShadingBuffers {
   const GpuBindings& bindings(std::size_t rig) const { return bindings_[rig]; }
   /// Bytes, of Material.
   std::uint32_t material(float wrap) const;
+  bool hasDiskTable() const { return diskTable_.has_value(); }
 
   /// For points.comp: what it reads and writes.
   std::optional<Error> setPoints(const GpuBuffer& points, const GpuBuffer& results);
@@ -59,7 +61,7 @@ class ShadingBuffers {
   std::vector<std::optional<Texture3d>> textures_;
   std::vector<GpuVec4> texels_;  // working memory of the textures
   std::vector<GpuHalf4> halfTexels_;
-  std::optional<GpuBuffer> coefficients_, gaussNodes_, nearLights_, objects_, materials_;
+  std::optional<GpuBuffer> coefficients_, gaussNodes_, nearLights_, objects_, materials_, diskTable_;
   std::optional<Texture3d> noTexture_;
   std::vector<GpuBindings> bindings_;
   int nearUsed_ = 0;
