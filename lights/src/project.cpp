@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bounded_colour.h"
 #include "local_light.h"
 #include "sh_polynomials.h"
 #include "zonal.h"
@@ -18,18 +19,9 @@
 namespace rigel {
 namespace {
 
+using detail::boundedColour;
 using detail::LocalTerm;
 using detail::Vec3d;
-
-/// colour * scale, held within +-kMaxProjectionScale; a product without a value (infinity times zero) is 0.
-Rgb boundedColour(Rgb colour, double scale) noexcept {
-  constexpr double kLimit = kMaxProjectionScale;
-  const auto bounded = [&](float channel) {
-    const double product = channel * scale;
-    return product == product ? static_cast<float>(std::clamp(product, -kLimit, kLimit)) : 0.0f;
-  };
-  return {bounded(colour.r), bounded(colour.g), bounded(colour.b)};
-}
 
 template <int B>
 void accumulate(const DirectionalLight& light, RadianceSH<B>& sh) noexcept {
@@ -150,6 +142,7 @@ RadianceSH<B> project(const LightSet& lights, Vec3 p, float footprint) noexcept 
   for (int i = 0; i < lights.pointCount(); ++i) accumulate<B>(lights.point(i), p, footprint, sh);
   for (int i = 0; i < lights.spotCount(); ++i) accumulate<B>(lights.spot(i), p, footprint, sh);
   for (int i = 0; i < lights.sphereCount(); ++i) accumulate<B>(lights.sphere(i), p, footprint, sh);
+  for (int i = 0; i < lights.diskCount(); ++i) sh += project<B>(lights.disk(i), p, footprint);
   return sh;
 }
 
@@ -179,6 +172,11 @@ ProjectionWithGradient<B> projectWithGradient(const LightSet& lights, Vec3 p) no
   for (int i = 0; i < lights.pointCount(); ++i) accumulate<B>(lights.point(i), p, out);
   for (int i = 0; i < lights.spotCount(); ++i) accumulate<B>(lights.spot(i), p, out);
   for (int i = 0; i < lights.sphereCount(); ++i) accumulate<B>(lights.sphere(i), p, out);
+  for (int i = 0; i < lights.diskCount(); ++i) {
+    const ProjectionWithGradient<B> disk = projectWithGradient<B>(lights.disk(i), p);
+    out.value += disk.value;
+    for (int axis = 0; axis < 3; ++axis) out.gradient.d[axis] += disk.gradient.d[axis];
+  }
   return out;
 }
 

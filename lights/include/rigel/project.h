@@ -33,8 +33,10 @@ template <int B>
 RadianceSH<B> project(const DiskLight& light, Vec3 p, float footprint = 0) noexcept;
 
 /// SH and its derivative by p. Range window and spot cone enter by the product rule. The true derivative is unbounded
-/// at a sphere's surface (1/c): c is held >= kMinGradientCosine there.
+/// at a sphere's surface (1/c): c is held >= kMinGradientCosine there; and at a disk's rim, where it is the true one
+/// times min(1, distance / (kMinGradientRim radius)).
 inline constexpr float kMinGradientCosine = 0.1f;
+inline constexpr float kMinGradientRim = 0.01f;
 
 template <int B>
 struct ProjectionWithGradient {

@@ -1,0 +1,63 @@
+// SH of disk lights by the method one asks for; project.h has the usual one, six nodes. All of them see the light in
+// its bisector frame (shader_disk.h), where a disk has few coefficients and those are smooth: they differ in how the
+// coefficients are integrated. Per ||q||, over distances of 1e-3 to 1e4 radii and all angles:
+//
+//   | nodes | rim farther than 1e-2 R | than 1e-3 R |
+//   |---|---|---|
+//   | 4 | 7e-4 | 3e-3 |
+//   | 6 | 4e-5 | 4e-4 |
+//   | 8 | 9e-6 | 2e-4 |
+//
+// One-sided disks give no light behind and in their plane; their SH jump there from what the front of the face sees.
+// NaN, a missing direction or radius, an infinite distance: no light. Held to kMaxProjectionScale (project.h).
+#pragma once
+
+#include <rigel/light.h>
+#include <rigel/sh.h>
+#include <rigel/shader_disk_view.h>
+
+#include <span>
+
+namespace rigel {
+
+/// How the SH of a disk light are found: by Gauss-Legendre quadrature, from tables (disk_table.h), or in double.
+enum class DiskMethod { quadrature, table, exact };
+
+/// Nodes of the quadrature over a quarter of the rim.
+enum class DiskNodes { four = 4, six = 6, eight = 8 };
+
+/// As project<B>(DiskLight) of project.h, which takes six nodes.
+template <int B>
+RadianceSH<B> projectDisk(const DiskLight& light, Vec3 p, DiskNodes nodes, float footprint = 0) noexcept;
+
+/// In double, to 1e-10 of ||q||: tanh-sinh quadrature of 257 nodes. `bands` 2 to 5; `sh` holds 3 bands^2 numbers,
+/// colour by colour of each coefficient. About 2 us. No allocation.
+void projectDiskExact(const DiskLight& light, Vec3 p, int bands, std::span<double> sh) noexcept;
+
+namespace detail {
+
+/// A disk light at one receiver point. Geometry is formed in double, so that a rim which all but touches keeps its
+/// digits. Radiance SH are radiance * fluxScale * (what the view's moments give).
+struct LocalDisk {
+  DiskPlace<double> place;
+  DiskView<double> view;
+  double radius = 0;      // m, that place and view are in: of the disk, of the footprint, or distance / kRigelDiskReach
+  double powerScale = 0;  // pi, times what makes up for a radius that is not the disk's own
+  double fluxScale = 0;   // powerScale * view.flux
+  bool lit = false;       // false: no light arrives, and the rest is not set
+};
+
+LocalDisk localDisk(const DiskLight& light, Vec3 p, float footprint = 0) noexcept;
+
+DiskView<float> narrow(const DiskView<double>& view) noexcept;
+
+/// World SH from moments that any method gave; `view` is narrow(disk.view).
+template <int B>
+RadianceSH<B> shOfDisk(const LocalDisk& disk, const DiskView<float>& view, const DiskMoments<float>& moments,
+                       Rgb radiance) noexcept;
+
+/// The moments of all bands to 1e-11 of ||q||.
+DiskMoments<double> exactDiskMoments(const DiskCone<double>& cone) noexcept;
+
+}  // namespace detail
+}  // namespace rigel
