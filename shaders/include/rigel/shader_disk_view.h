@@ -100,32 +100,43 @@ RIGEL_GENERIC RIGEL_FUNCTION RIGEL_OF(DiskView)
 
 RIGEL_GENERIC RIGEL_FUNCTION void rigel_diskBand2(RIGEL_IN(RIGEL_OF(DiskMoments)) q, RIGEL_IN(RIGEL_OF(DiskView)) view,
                                                   RIGEL_ARRAY(out2, 5)) RIGEL_NOEXCEPT {
-  // w^T N w with N = sqrt(3) q20 Z Z^T + q22 (X X^T - Y Y^T), up to its trace.
-  Real a = Real(1.7320508075688773) * q.q20;
-  Real nxx = a * view.zx * view.zx + q.q22 * (view.xx * view.xx - view.yx * view.yx);
-  Real nyy = a * view.zy * view.zy + q.q22 * (view.xy * view.xy - view.yy * view.yy);
-  Real nzz = a * view.zz * view.zz + q.q22 * (view.xz * view.xz - view.yz * view.yz);
-  out2[0] = a * view.zx * view.zy + q.q22 * (view.xx * view.xy - view.yx * view.yy);
-  out2[1] = a * view.zy * view.zz + q.q22 * (view.xy * view.xz - view.yy * view.yz);
+  // w^T N w with N = sqrt(3) q20 Z Z^T + q22 (X X^T - Y Y^T), up to its trace; so Y Y^T = 1 - X X^T - Z Z^T leaves only
+  // Z Z^T and X X^T.
+  Real a = Real(1.7320508075688773) * q.q20 + q.q22;
+  Real b = Real(2.0f) * q.q22;
+  Real azx = a * view.zx;
+  Real azy = a * view.zy;
+  Real azz = a * view.zz;
+  Real bxx = b * view.xx;
+  Real bxy = b * view.xy;
+  Real bxz = b * view.xz;
+  Real nxx = azx * view.zx + bxx * view.xx;
+  Real nyy = azy * view.zy + bxy * view.xy;
+  Real nzz = azz * view.zz + bxz * view.xz;
+  out2[0] = azx * view.zy + bxx * view.xy;
+  out2[1] = azy * view.zz + bxy * view.xz;
   out2[2] = Real(0.28867513459481288) * (Real(2.0f) * nzz - nxx - nyy);
-  out2[3] = a * view.zx * view.zz + q.q22 * (view.xx * view.xz - view.yx * view.yz);
+  out2[3] = azx * view.zz + bxx * view.xz;
   out2[4] = Real(0.5f) * (nxx - nyy);
 }
 
 RIGEL_GENERIC RIGEL_FUNCTION void rigel_diskBand3(RIGEL_IN(RIGEL_OF(DiskMoments)) q, RIGEL_IN(RIGEL_OF(DiskView)) view,
                                                   RIGEL_ARRAY(out3, 7)) RIGEL_NOEXCEPT {
-  // The second derivatives of r^3 Y_3m at Z, contracted with N = a Z Z^T + b (X X^T - Y Y^T).
-  Real a = Real(1.0 / 6.0 / kRigelY30) * q.q30;
-  Real b = Real(8.0 / 105.0 * kRigelPi * kRigelY32) * q.q32;
+  // The second derivatives of r^3 Y_3m at Z, which have no trace, contracted with N = a' Z Z^T + b' (X X^T - Y Y^T).
+  Real twofold = Real(8.0 / 105.0 * kRigelPi * kRigelY32) * q.q32;
+  Real a = Real(1.0 / 6.0 / kRigelY30) * q.q30 + twofold;
+  Real b = Real(2.0f) * twofold;
   Real x = view.zx;
   Real y = view.zy;
   Real z = view.zz;
-  Real nxx = a * x * x + b * (view.xx * view.xx - view.yx * view.yx);
-  Real nyy = a * y * y + b * (view.xy * view.xy - view.yy * view.yy);
-  Real nzz = a * z * z + b * (view.xz * view.xz - view.yz * view.yz);
-  Real nxy = a * x * y + b * (view.xx * view.xy - view.yx * view.yy);
-  Real nyz = a * y * z + b * (view.xy * view.xz - view.yy * view.yz);
-  Real nxz = a * x * z + b * (view.xx * view.xz - view.yx * view.yz);
+  Real bxx = b * view.xx;
+  Real bxy = b * view.xy;
+  Real nxx = a * x * x + bxx * view.xx;
+  Real nyy = a * y * y + bxy * view.xy;
+  Real nzz = a * z * z + b * view.xz * view.xz;
+  Real nxy = a * x * y + bxx * view.xy;
+  Real nyz = a * y * z + bxy * view.xz;
+  Real nxz = a * x * z + bxx * view.xz;
   Real difference = nxx - nyy;
   Real trace = Real(2.0f) * nzz - nxx - nyy;
   out3[0] = Real(3.0 * kRigelY33) * (y * difference + Real(2.0f) * x * nxy);
