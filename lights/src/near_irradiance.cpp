@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 
+#include "disk_irradiance.h"
 #include "vec3d.h"
 
 namespace rigel {
@@ -110,6 +111,9 @@ float outsideOrIn(const NearView& view, float wholeSphere, const Cap& cap) noexc
 }  // namespace
 
 Rgb nearIrradiance(const NearLight& light, Vec3 p, Vec3 n, const NearWrap& wrap) noexcept {
+  if (light.kind == NearLight::Kind::disk) {
+    return scaled(light.colour, light.share * detail::diskIrradiance(light, p, n, wrap));
+  }
   const NearView view = viewOf(light, p, n);
   const float e = wrap.a == 0 ? wrap.gain * outsideOrIn(view, 1, detail::lambertCap)
                               : outsideOrIn(view, wrap.f.x, [&](float x, float s, float c) noexcept {
@@ -123,6 +127,7 @@ Rgb nearIrradiance(const NearLight& light, Vec3 p, Vec3 n, float wrap) noexcept 
 }
 
 Rgb cheapIrradiance(const NearLight& light, Vec3 p, Vec3 n) noexcept {
+  if (light.kind == NearLight::Kind::disk) return scaled(light.colour, light.share * detail::diskCheap(light, p, n));
   const NearView view = viewOf(light, p, n);
   const float e = outsideOrIn(
       view, 1, [](float x, float s, float c) noexcept { return detail::lambertCapCheap(x, std::max(s, 1e-6f), c); });
@@ -130,6 +135,9 @@ Rgb cheapIrradiance(const NearLight& light, Vec3 p, Vec3 n) noexcept {
 }
 
 Rgb correctorIrradiance(const NearLight& light, Vec3 p, Vec3 n, const NearWrap& wrap) noexcept {
+  if (light.kind == NearLight::Kind::disk) {
+    return scaled(light.colour, light.share * detail::diskCorrector(light, p, n, wrap));
+  }
   const NearView view = viewOf(light, p, n);
   if (view.inside) return {};
   const float share = detail::highBandShare(view.s * view.s);

@@ -81,12 +81,14 @@ NearLight nearLight(const SphereLight& light, float share) noexcept {
 NearLight nearLight(const DiskLight& light, float share) noexcept {
   constexpr auto kKind = NearLight::Kind::disk;
   const Vec3d axis = detail::directionOf(light.direction);
-  const bool none = !(light.radius > 0) || !std::isfinite(light.radius) || detail::dot(axis, axis) == 0;
-  if (none || detail::anyNan(light.position) || detail::anyNan(light.radiance)) return black(kKind);
+  if (!(light.radius > 0) || detail::dot(axis, axis) == 0) return black(kKind);
+  if (detail::anyNan(light.position) || detail::anyNan(light.radiance)) return black(kKind);
   NearLight out = lit(kKind, light.radiance, share);
   out.position = light.position;
-  out.radius = light.radius;
-  out.axis = detail::narrow(axis);
+  out.radius = std::min(light.radius, std::numeric_limits<float>::max());
+  // A unit vector stays as it is: rounding it again would move the rim.
+  const bool unit = std::abs(dot(light.direction, light.direction) - 1) < 1e-6f;
+  out.axis = unit ? light.direction : detail::narrow(axis);
   out.cosOuter = light.twoSided ? -1.0f : 0.0f;
   return out;
 }

@@ -14,11 +14,12 @@
 //
 // M smooth on all of [-1, 1] but for the horizon x = -a, where it goes on as (x+a)^(2+a).
 #include <rigel/exact.h>
+#include <rigel/shader_disk_view.h>
 #include <rigel/wrap.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
 
 #include "quadrature.h"
 #include "vec3d.h"
@@ -28,11 +29,10 @@ namespace {
 
 using detail::Vec3d;
 
-/// A disk as a receiver sees it, in the bisector frame: the cone of shader_disk.h and the unit normal.
+/// A disk as a receiver sees it, in the bisector frame: its cone and the unit normal.
 struct DiskPose {
   double sx = 0, cx = 1, sy = 0, cy = 1;
-  double t = 0;
-  double u = 1;
+  double t = 0, u = 1;
   double nx = 0, ny = 0, nz = 0;  // |nx|, |ny|: the cone is symmetric
   bool lit = false;
 };
@@ -41,47 +41,22 @@ double square(double x) noexcept { return x * x; }
 
 DiskPose poseOf(const DiskLight& light, Vec3 p, Vec3d n) noexcept {
   DiskPose pose;
+  const Vec3d toCentre = detail::widen(light.position) - detail::widen(p);
+  const double radius = std::min<double>(light.radius, std::numeric_limits<float>::max());
+  const double distance2 = detail::dot(toCentre, toCentre);
+  // Farther than 1e40 radii nothing is left of any radiance that float holds.
+  if (!(radius > 0) || !std::isfinite(distance2) || std::sqrt(distance2) > 1e40 * radius) return pose;
+  const Vec3d v = toCentre * (1 / radius);
   const Vec3d axis = detail::directionOf(light.direction);
-  const double radius = light.radius;
-  if (!(radius > 0) || !std::isfinite(radius) || detail::dot(axis, axis) == 0) return pose;
-  const Vec3d offset = detail::widen(p) - detail::widen(light.position);
-  const double along = detail::dot(axis, offset);
-  if (!std::isfinite(detail::dot(offset, offset)) || !(light.twoSided ? along != 0 : along > 0)) return pose;
-  const Vec3d emission = along > 0 ? axis : axis * -1.0;
-  const double height = std::abs(along);
-  const Vec3d across = offset - emission * height;
-  const double distance = std::sqrt(detail::dot(across, across));
-
-  const double z = height / radius;
-  const double rho = distance / radius;
-  const double edge = (distance - radius) / radius;
-  const double far = std::hypot(rho + 1, z);
-  const double near = std::hypot(edge, z);
-  const double product = far * near;
-  const double m = edge * (rho + 1) + z * z;
-  // Where the receiver is above the rim's circle of Thales cos(ax) is the larger of the two, else sin(ax).
-  const double larger = std::sqrt(0.5 * (product + std::abs(m)) / product);
-  const double smaller = std::sqrt(2 * (z / product) * (z / (product + std::abs(m))));
-  pose.cx = m > 0 ? larger : smaller;
-  pose.sx = m > 0 ? smaller : larger;
-  pose.t = 4 * rho / square(far + near);
-  pose.u = 2 * std::sqrt(product) / (far + near);
-  pose.sy = std::sqrt(square(pose.sx) + square(pose.t * pose.cx));
-  pose.cy = pose.cx * pose.u;
-  if (!(pose.sx > 0)) return pose;
-
-  const Vec3d toDisk = emission * -1.0;
-  const Vec3d helper = std::abs(axis.x) < 0.5 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};
-  const Vec3d side = detail::cross(axis, helper);
-  const Vec3d toAxis = distance > 0 ? across * (-1 / distance) : side * (1 / std::sqrt(detail::dot(side, side)));
-  const double nb = detail::dot(n, toAxis);
-  const double nd = detail::dot(n, toDisk);
-  const double along1 = pose.sx / pose.sy;
-  const double along2 = pose.t * pose.cx / pose.sy;
-  pose.nz = along2 * nb + along1 * nd;
-  pose.nx = std::abs(along1 * nb - along2 * nd);
-  pose.ny = std::abs(detail::dot(n, detail::cross(toDisk, toAxis)));
-  pose.lit = true;
+  const auto place = detail::diskPlace(v.x, v.y, v.z, axis.x, axis.y, axis.z, light.twoSided ? -1.0 : 0.0);
+  if (!(place.z > 0)) return pose;
+  const auto view = detail::diskView(place, place.rho - 1);
+  const detail::DiskCone<double>& cone = view.cone;
+  pose = {cone.sx, cone.cx, cone.sy, cone.cy, cone.t, cone.u};
+  pose.nx = std::abs(detail::dot(n, {view.xx, view.xy, view.xz}));
+  pose.ny = std::abs(detail::dot(n, {view.yx, view.yy, view.yz}));
+  pose.nz = detail::dot(n, {view.zx, view.zy, view.zz});
+  pose.lit = view.flux > 0;
   return pose;
 }
 
