@@ -1,4 +1,6 @@
-// Uses both libraries through the installed package: a light projected, a rig fitted, its value beside the truth.
+// Uses the libraries through the installed package: a light projected, a rig fitted, its value beside the truth; a disk
+// looked up.
+#include <rigel/disk_table.h>
 #include <rigel/exact.h>
 #include <rigel/rig_light.h>
 
@@ -28,5 +30,9 @@ int main() {
       rigel::irradiance<3>(rigel::evaluateRig<3>(*rig, fitted, p), rigel::wrapCoefficients<3>(0), up).r;
   const float exact = static_cast<float>(rigel::exactIrradiance(lights, p, up).r);
   std::printf("rig %g, exact %g\n", fromRig, exact);
+  // On the face of a disk half of all directions see it: 2 pi Y_00.
+  const rigel::DiskLight panel{.position = {0, 2, 0}, .radius = 1, .radiance = {1, 1, 1}};
+  const float onFace = rigel::DiskTable::project<3>(panel, {0, 1.999999f, 0})[0].r;
+  if (!(std::fabs(onFace - 1.772454f) < 1e-4f)) return std::fprintf(stderr, "disk %g\n", onFace), 1;
   return exact > 0 && std::fabs(fromRig - exact) <= kTolerance * exact ? 0 : 1;
 }
