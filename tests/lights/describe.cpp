@@ -39,4 +39,9 @@ std::string describe(const SphereLight& light) {
          describe(light.radiance);
 }
 
+std::string describe(const DiskLight& light) {
+  return std::string(light.twoSided ? "two-sided " : "") + "disk light at " + describe(light.position) + " along " +
+         describe(light.direction) + ", radius " + describe(light.radius) + ", radiance " + describe(light.radiance);
+}
+
 }  // namespace rigel::test

@@ -15,5 +15,6 @@ std::string describe(const DirectionalLight& light);
 std::string describe(const PointLight& light);
 std::string describe(const SpotLight& light);
 std::string describe(const SphereLight& light);
+std::string describe(const DiskLight& light);
 
 }  // namespace rigel::test
