@@ -68,7 +68,8 @@ ProjectionWithGradient<B> projectWithGradient(const DiskLight& light, Vec3 p) no
   out.value = project<B>(light, p);
 
   const detail::DiskPlace<Local> place = differentiate(disk.place);
-  const detail::DiskView<Local> view = detail::diskView(place, place.rho - Local(1));
+  const detail::DiskView<Local> view =
+      detail::diskView(place, (place.rho - Local(1)) * (place.rho + Local(1)) + place.z * place.z);
   Local q[shCount(B)];
   detail::diskBands<B>(momentsOf<B>(view.cone), view, q);
 

@@ -38,9 +38,10 @@ DiskPose poseOf(const NearLight& light, Vec3 p, Vec3 n) noexcept {
   const double share = light.radius / radius;
   const Vec3d v = toCentre * (1 / radius);
   const Vec3d axis = directionOf(light.axis);
-  const DiskPlace<double> place = diskPlace(v.x, v.y, v.z, axis.x, axis.y, axis.z, static_cast<double>(light.cosOuter));
+  const DiskPlace<double> place =
+      diskPlace(v.x, v.y, v.z, axis.x, axis.y, axis.z, dot(v, axis), static_cast<double>(light.cosOuter));
   if (!(place.z > 0)) return pose;
-  pose.view = diskView(narrow(place), static_cast<float>(place.rho - 1));
+  pose.view = diskView(narrow(place), static_cast<float>(dot(v, v) - 1));
   const DiskView<float>& view = pose.view;
   pose.nx = n.x * view.xx + n.y * view.xy + n.z * view.xz;
   pose.ny = n.x * view.yx + n.y * view.yy + n.z * view.yz;

@@ -48,9 +48,10 @@ DiskPose poseOf(const DiskLight& light, Vec3 p, Vec3d n) noexcept {
   if (!(radius > 0) || !std::isfinite(distance2) || std::sqrt(distance2) > 1e40 * radius) return pose;
   const Vec3d v = toCentre * (1 / radius);
   const Vec3d axis = detail::directionOf(light.direction);
-  const auto place = detail::diskPlace(v.x, v.y, v.z, axis.x, axis.y, axis.z, light.twoSided ? -1.0 : 0.0);
+  const auto place =
+      detail::diskPlace(v.x, v.y, v.z, axis.x, axis.y, axis.z, detail::dot(v, axis), light.twoSided ? -1.0 : 0.0);
   if (!(place.z > 0)) return pose;
-  const auto view = detail::diskView(place, place.rho - 1);
+  const auto view = detail::diskView(place, (place.rho - 1) * (place.rho + 1) + place.z * place.z);
   const detail::DiskCone<double>& cone = view.cone;
   pose = {cone.sx, cone.cx, cone.sy, cone.cy, cone.t, cone.u};
   pose.nx = std::abs(detail::dot(n, {view.xx, view.xy, view.xz}));

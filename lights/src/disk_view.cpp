@@ -32,10 +32,10 @@ LocalDisk localDisk(const DiskLight& light, Vec3 p, float footprint) noexcept {
 
   const Vec3d v = toCentre * (1 / disk.radius);
   const Vec3d axis = directionOf(light.direction);
-  disk.place = diskPlace(v.x, v.y, v.z, axis.x, axis.y, axis.z, light.twoSided ? -1.0 : 0.0);
+  disk.place = diskPlace(v.x, v.y, v.z, axis.x, axis.y, axis.z, dot(v, axis), light.twoSided ? -1.0 : 0.0);
   if (!(disk.place.z > 0)) return disk;
   disk.lit = true;
-  disk.view = diskView(disk.place, disk.place.rho - 1);
+  disk.view = diskView(disk.place, (disk.place.rho - 1) * (disk.place.rho + 1) + disk.place.z * disk.place.z);
   disk.fluxScale = disk.powerScale * disk.view.flux;
   return disk;
 }

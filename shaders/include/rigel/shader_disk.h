@@ -52,11 +52,10 @@ RIGEL_GENERIC RIGEL_FUNCTION RIGEL_OF(DiskCone) rigel_diskConeOf(Real sx, Real c
   return cone;
 }
 
-/// rho, z >= 0; `edge` = rho - 1, which callers near the rim know better than rho says.
-RIGEL_GENERIC RIGEL_FUNCTION RIGEL_OF(DiskCone) rigel_diskCone(Real rho, Real edge, Real z) RIGEL_NOEXCEPT {
+/// rho, z >= 0; `m` = rho^2 + z^2 - 1, which callers near the rim know better than rho and z say.
+RIGEL_GENERIC RIGEL_FUNCTION RIGEL_OF(DiskCone) rigel_diskCone(Real rho, Real m, Real z) RIGEL_NOEXCEPT {
   // d1, d2 are the distances to the farthest and the nearest point of the rim: cos(2 ax) = m / (d1 d2) and
   // sin(2 ax) = 2 z / (d1 d2), t = (d1 - d2)/(d1 + d2).
-  Real m = edge * (edge + Real(2.0f)) + z * z;
   Real product = max(sqrt(m * m + Real(4.0f) * z * z), Real(1e-18f));
   Real halfSquare = m + Real(2.0f) + product;  // (d1 + d2)^2 / 2
   Real sum = product + abs(m);

@@ -27,9 +27,10 @@ RIGEL_STRUCT(DiskPlace) {
 };
 
 /// `v`: from the receiver to the disk's centre, in radii. `a`: unit vector the disk emits along; zero gives z = 0.
-/// `behind`: -1 where it emits backwards too, else 0 (GpuNearLight::cosOuter).
+/// `along`: v . a, which callers near the disk's plane know better than v says. `behind`: -1 where it emits backwards
+/// too, else 0 (GpuNearLight::cosOuter).
 RIGEL_GENERIC RIGEL_FUNCTION RIGEL_OF(DiskPlace)
-    rigel_diskPlace(Real vx, Real vy, Real vz, Real ax, Real ay, Real az, Real behind) RIGEL_NOEXCEPT {
+    rigel_diskPlace(Real vx, Real vy, Real vz, Real ax, Real ay, Real az, Real along, Real behind) RIGEL_NOEXCEPT {
   // Two axes s, t perpendicular to `a` (T. Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 2017): what
   // they make is perpendicular even where v is all but parallel to a.
   Real side = rigel_select(az < Real(0.0f), Real(-1.0f), Real(1.0f));
@@ -41,7 +42,6 @@ RIGEL_GENERIC RIGEL_FUNCTION RIGEL_OF(DiskPlace)
   Real sz = -side * ax;
   Real tz = -ay;
 
-  Real along = vx * ax + vy * ay + vz * az;
   Real vs = vx * sx + vy * sy + vz * sz;
   Real vt = vx * tx + vy * ty + vz * tz;
   Real facing = rigel_select(along > Real(0.0f), behind, Real(1.0f));
@@ -73,11 +73,11 @@ RIGEL_STRUCT(DiskView) {
   Real zx, zy, zz;
 };
 
-/// `edge`: rho - 1.
+/// `m`: rho^2 + z^2 - 1.
 RIGEL_GENERIC RIGEL_FUNCTION RIGEL_OF(DiskView)
-    rigel_diskView(RIGEL_IN(RIGEL_OF(DiskPlace)) place, Real edge) RIGEL_NOEXCEPT {
+    rigel_diskView(RIGEL_IN(RIGEL_OF(DiskPlace)) place, Real m) RIGEL_NOEXCEPT {
   RIGEL_OF(DiskView) view;
-  view.cone = rigel_diskCone(place.rho, edge, place.z);
+  view.cone = rigel_diskCone(place.rho, m, place.z);
   view.flux = rigel_select(place.z > Real(0.0f), view.cone.sx * view.cone.sy, Real(0.0f));
   // Tilted about Y.
   Real perSy = Real(1.0f) / max(view.cone.sy, Real(1e-18f));
