@@ -48,7 +48,7 @@ TEST(Program, ListsItsSamplesAndWritesThemAsGltf) {
   const TemporaryFolder folder;
   const Outcome list = runProgram({"sample", "--list"});
   EXPECT_EQ(list.exitCode, 0);
-  for (const std::string name : {"street", "stage", "dragon", "touch", "figure1"}) {
+  for (const std::string name : {"street", "stage", "dragon", "touch", "figure1", "corridor", "gallery"}) {
     EXPECT_THAT(list.out, HasSubstr(name));
     const std::string file = folder / (name + ".glb");
     EXPECT_EQ(runProgram({"sample", name, "--out", file}).exitCode, 0) << name;

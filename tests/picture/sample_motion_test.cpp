@@ -59,13 +59,15 @@ TEST(SampleMotion, ClipsLastAsLongAsTheyShould) {
   EXPECT_EQ(makeSample("dragon").animations.at(0).duration, 4);
   EXPECT_EQ(makeSample("touch").animations.at(0).duration, 7);
   EXPECT_TRUE(makeSample("figure1").animations.empty());
+  EXPECT_EQ(makeSample("corridor").animations.at(0).duration, 4);
+  EXPECT_EQ(makeSample("gallery").animations.at(0).duration, 5);
 }
 
 TEST(SampleMotion, IsContinuousInSpace) {
   // A jump stays as large at any rate; motion shrinks with the time between frames.
   constexpr double kLargestStep = 0.6;  // m at 30 frames a second: the top of a tyre at 16 m/s
   constexpr double kShrink = 0.35;      // at four times the rate; 0.25 for uniform motion
-  for (const char* name : {"street", "stage", "dragon", "touch"}) {
+  for (const char* name : {"street", "stage", "dragon", "touch", "corridor", "gallery"}) {
     const Scene scene = makeSample(name);
     const double slow = largestStep(scene, 30), fast = largestStep(scene, 120);
     EXPECT_GT(slow, 0.005) << name << " stands still";
@@ -236,6 +238,108 @@ TEST(Figure1, LightsStandOffTheBoxByATenthOfTheSize) {
     EXPECT_GE(away, 0.07f) << scene.nodes[n].name;
     EXPECT_LE(away, 0.16f) << scene.nodes[n].name;
   }
+}
+
+/// Where a point is from a disk: in front of its plane and from the disk itself, both in metres.
+struct FromDisk {
+  double ahead = 0, away = 0;
+};
+
+FromDisk fromDisk(const DiskLight& disk, glm::vec3 p) {
+  const glm::vec3 axis{disk.direction.x, disk.direction.y, disk.direction.z};
+  const glm::vec3 v = p - glm::vec3(disk.position.x, disk.position.y, disk.position.z);
+  const float ahead = glm::dot(v, axis) / glm::length(axis);
+  const float beyond = std::max(0.0f, glm::length(v - ahead * axis) - disk.radius);
+  return {static_cast<double>(ahead), std::hypot(static_cast<double>(ahead), static_cast<double>(beyond))};
+}
+
+/// Of each disk over the clip: the nearest that a vertex comes, and whether it shows the object both of its sides.
+struct Encounter {
+  double nearest = 1e9;
+  bool fromAhead = false, fromBehind = false;
+};
+
+std::map<std::string, Encounter> encounters(const Scene& scene) {
+  const auto objects = findObjects(scene);
+  const SceneObject& object = movingObject(objects);
+  std::map<std::string, Encounter> all;
+  const int frames = static_cast<int>(std::lround(scene.animations[0].duration * 30));
+  for (int frame = 0; frame <= frames; ++frame) {
+    ScenePose pose;
+    poseScene(scene, 0, frame / 30.0, pose);
+    PosedObject posed;
+    poseObject(scene, object, pose, posed);
+    PosedLights lights;
+    poseLights(scene, pose, lights);
+    const int first = lights.set.directionalCount();
+    for (int i = 0; i < lights.set.diskCount(); ++i) {
+      Encounter& e = all[lights.names[static_cast<std::size_t>(first + i)]];
+      for (const glm::vec3 p : posed.positions) {
+        const FromDisk from = fromDisk(lights.set.disk(i), p);
+        e.nearest = std::min(e.nearest, from.away);
+        (from.ahead > 0 ? e.fromAhead : e.fromBehind) = true;
+      }
+    }
+  }
+  return all;
+}
+
+TEST(Corridor, PassesBelowPanelsAndThroughTheSignsPlane) {
+  const Scene scene = makeSample("corridor");
+  auto met = encounters(scene);
+  ASSERT_EQ(met.size(), 12u);
+  EXPECT_NEAR(met["panel 4"].nearest, 0.66, 0.02) << "the ceiling is well above the head";
+  EXPECT_NEAR(met["low panel"].nearest, 0.14, 0.02);
+  EXPECT_LT(met["lowest panel"].nearest, 0.04) << "the head all but touches";
+  EXPECT_GT(met["lowest panel"].nearest, 0.01) << "and does not enter";
+  EXPECT_FALSE(met["lowest panel"].fromBehind);
+  EXPECT_LT(met["sign"].nearest, 0.07);
+  EXPECT_TRUE(met["sign"].fromAhead && met["sign"].fromBehind) << "the figure walks through its plane";
+  const auto sign =
+      std::find_if(scene.lights.begin(), scene.lights.end(), [](const auto& l) { return l.name == "sign"; });
+  EXPECT_TRUE(std::get<DiskLight>(sign->shape).twoSided);
+}
+
+TEST(Corridor, FeetStandStillOnTheGround) {
+  const Scene scene = makeSample("corridor");
+  const auto objects = findObjects(scene);
+  const SceneObject& figure = movingObject(objects);
+  constexpr double kStep = 1.0 / 120;
+  constexpr float kSole = 0.012f;  // m above the floor: a sole that bears weight
+  constexpr float kStill = 0.25f;  // m/s; the figure walks at 1.1
+  constexpr float kThroughFloor = 0.02f;
+  int checked = 0, sliding = 0;
+  float lowest = 1;
+  for (double time = 0.3; time < 3.5; time += 0.1) {
+    const std::vector<glm::vec3> before = placesAt(scene, figure, time), after = placesAt(scene, figure, time + kStep);
+    float slowest = 1e9f;
+    for (int v = 0; v < figure.vertexCount; ++v) {
+      lowest = std::min(lowest, before[v].y);
+      if (before[v].y < kSole)
+        slowest = std::min(slowest, glm::distance(before[v], after[v]) / static_cast<float>(kStep));
+    }
+    if (slowest > 1e8f) continue;
+    ++checked;
+    sliding += slowest > kStill ? 1 : 0;
+  }
+  EXPECT_GT(checked, 25) << "one foot or the other is on the ground nearly always";
+  EXPECT_EQ(sliding, 0);
+  EXPECT_GT(lowest, -kThroughFloor);
+}
+
+TEST(Gallery, HasDisksThatAllButTouchTheBust) {
+  const auto met = encounters(makeSample("gallery"));
+  ASSERT_EQ(met.size(), 28u);
+  int touching = 0, close = 0, bothSides = 0;
+  for (const auto& [name, e] : met) {
+    EXPECT_GT(e.nearest, 0.002) << name << " enters the bust";
+    touching += e.nearest < 0.01 ? 1 : 0;
+    close += e.nearest < 0.1 ? 1 : 0;
+    bothSides += e.fromAhead && e.fromBehind ? 1 : 0;
+  }
+  EXPECT_GE(touching, 2);
+  EXPECT_GE(close, 5);
+  EXPECT_GE(bothSides, 5) << "the bust passes the planes of those that shine along the wall";
 }
 
 }  // namespace

@@ -25,17 +25,17 @@ class EverySample : public ::testing::TestWithParam<int> {
   Scene scene_ = sample().make();
 };
 
-INSTANTIATE_TEST_SUITE_P(All, EverySample, ::testing::Range(0, 5),
+INSTANTIATE_TEST_SUITE_P(All, EverySample, ::testing::Range(0, 7),
                          [](const auto& test) { return samples()[static_cast<std::size_t>(test.param)].name; });
 
-TEST(Samples, AreTheFiveInOrder) {
+TEST(Samples, AreTheSevenInOrder) {
   std::vector<std::string> names;
   for (const Sample& sample : samples()) {
     names.push_back(sample.name);
     EXPECT_FALSE(sample.summary.empty());
     EXPECT_EQ(sample.make().name, sample.name);
   }
-  EXPECT_THAT(names, ::testing::ElementsAre("street", "stage", "dragon", "touch", "figure1"));
+  EXPECT_THAT(names, ::testing::ElementsAre("street", "stage", "dragon", "touch", "figure1", "corridor", "gallery"));
 }
 
 TEST_P(EverySample, HasSoundPrimitives) {
@@ -113,7 +113,7 @@ TEST_P(EverySample, HasFiniteLightsOnNodes) {
     poseScene(scene_, scene_.animations.empty() ? kRestPose : 0, 4.0 * frame / 30, pose);
     PosedLights lights;
     poseLights(scene_, pose, lights);
-    ASSERT_EQ(lights.set.size(), static_cast<int>(scene_.lights.size()));
+    ASSERT_EQ(lights.names.size(), scene_.lights.size());
     const auto finite = [](Vec3 v, Rgb c) {
       return std::isfinite(v.x + v.y + v.z) && std::isfinite(c.r + c.g + c.b) && c.r >= 0 && c.g >= 0 && c.b >= 0;
     };
@@ -131,6 +131,11 @@ TEST_P(EverySample, HasFiniteLightsOnNodes) {
     for (int i = 0; i < lights.set.sphereCount(); ++i) {
       EXPECT_TRUE(finite(lights.set.sphere(i).position, lights.set.sphere(i).radiance));
       EXPECT_GT(lights.set.sphere(i).radius, 0);
+    }
+    for (int i = 0; i < lights.set.diskCount(); ++i) {
+      EXPECT_TRUE(finite(lights.set.disk(i).position, lights.set.disk(i).radiance));
+      EXPECT_NEAR(length(lights.set.disk(i).direction), 1, kUnit);
+      EXPECT_GT(lights.set.disk(i).radius, 0);
     }
   }
 }
@@ -196,6 +201,15 @@ TEST_P(EverySample, ComesBackFromGltf) {
     ASSERT_EQ(lights.set.sphereCount(), lightsAgain.set.sphereCount());
     ASSERT_EQ(lights.set.pointCount(), lightsAgain.set.pointCount());
     ASSERT_EQ(lights.set.spotCount(), lightsAgain.set.spotCount());
+    ASSERT_EQ(lights.set.diskCount(), lightsAgain.set.diskCount());
+    for (int i = 0; i < lights.set.diskCount(); ++i) {
+      const DiskLight a = lights.set.disk(i), b = lightsAgain.set.disk(i);
+      EXPECT_LE(length(a.position - b.position), kSame);
+      EXPECT_LE(length(a.direction - b.direction), kSame);
+      EXPECT_EQ(a.radius, b.radius);
+      EXPECT_EQ(a.radiance, b.radiance);
+      EXPECT_EQ(a.twoSided, b.twoSided);
+    }
     for (int i = 0; i < lights.set.sphereCount(); ++i) {
       const SphereLight a = lights.set.sphere(i), b = lightsAgain.set.sphere(i);
       EXPECT_LE(length(a.position - b.position), kSame);

@@ -98,15 +98,6 @@ float legDistance(glm::vec3 p) {
   return smoothUnion(d, foot, 0.03f);
 }
 
-float headDistance(glm::vec3 p) {
-  float d = ellipsoidDistance(p, {0, 1.69f, -0.005f}, {0.078f, 0.108f, 0.1f});
-  d = smoothUnion(d, ellipsoidDistance(p, {0, 1.625f, 0.03f}, {0.056f, 0.07f, 0.066f}), 0.05f);
-  d = smoothUnion(d, roundConeDistance(p, {0, 1.685f, 0.084f}, {0, 1.652f, 0.094f}, 0.009f, 0.014f), 0.02f);  // nose
-  const glm::vec3 q{std::abs(p.x), p.y, p.z};
-  d = smoothUnion(d, ellipsoidDistance(q, {0.08f, 1.66f, -0.005f}, {0.014f, 0.032f, 0.022f}), 0.015f);  // ears
-  return smoothUnion(d, roundConeDistance(p, {0, 1.46f, -0.02f}, {0, 1.6f, 0}, 0.06f, 0.05f), 0.04f);
-}
-
 float bodyDistance(glm::vec3 p) {
   const glm::vec3 q{std::abs(p.x), p.y, p.z};  // both sides at once
   float d = ellipsoidDistance(p, {0, 1.31f, -0.005f}, {0.165f, 0.185f, 0.112f});
@@ -117,7 +108,7 @@ float bodyDistance(glm::vec3 p) {
   d = smoothUnion(d, roundConeDistance(q, {0.03f, 1.46f, -0.02f}, kShoulder, 0.05f, 0.045f), 0.05f);
   d = smoothUnion(d, armDistance(q), 0.04f);
   d = smoothUnion(d, legDistance(q), 0.05f);
-  return smoothUnion(d, headDistance(p), 0.03f);
+  return smoothUnion(d, figureHeadDistance(p), 0.03f);
 }
 
 /// Distance to the whole, hands included: what normals come from, so that shading does not show where meshes meet.
@@ -142,6 +133,15 @@ Primitive makeMesh() {
 }
 
 }  // namespace
+
+float figureHeadDistance(glm::vec3 p) {
+  float d = ellipsoidDistance(p, {0, 1.69f, -0.005f}, {0.078f, 0.108f, 0.1f});
+  d = smoothUnion(d, ellipsoidDistance(p, {0, 1.625f, 0.03f}, {0.056f, 0.07f, 0.066f}), 0.05f);
+  d = smoothUnion(d, roundConeDistance(p, {0, 1.685f, 0.084f}, {0, 1.652f, 0.094f}, 0.009f, 0.014f), 0.02f);  // nose
+  const glm::vec3 q{std::abs(p.x), p.y, p.z};
+  d = smoothUnion(d, ellipsoidDistance(q, {0.08f, 1.66f, -0.005f}, {0.014f, 0.032f, 0.022f}), 0.015f);  // ears
+  return smoothUnion(d, roundConeDistance(p, {0, 1.46f, -0.02f}, {0, 1.6f, 0}, 0.06f, 0.05f), 0.04f);
+}
 
 Figure addFigure(Scene& scene) {
   const std::vector<Bone> bones = makeBones();

@@ -1,4 +1,5 @@
-// The human figure of `stage`: one skinned mesh, 1.8 m tall, facing +z, arms held 45 degrees down in the bind pose.
+// The human figure of `stage` and `corridor`: one skinned mesh, 1.8 m tall, facing +z, arms held 45 degrees down in the
+// bind pose.
 #pragma once
 
 #include "samples/skeleton_builder.h"
@@ -15,6 +16,9 @@ struct Figure {
   int node = -1;  // carries mesh and skin
   Skeleton skeleton;
 };
+
+/// Distance to the figure's head and neck in the bind pose, for others who want such a head; the neck ends at 1.46 m.
+float figureHeadDistance(glm::vec3 p);
 
 /// Adds the figure, standing at the origin, and its material to `scene`.
 Figure addFigure(Scene& scene);

@@ -13,7 +13,7 @@ struct Sample {
   Scene (*make)();
 };
 
-/// street, stage, dragon, touch, figure1: in that order.
+/// street, stage, dragon, touch, figure1, corridor, gallery: in that order.
 std::span<const Sample> samples();
 
 }  // namespace rigel::tools

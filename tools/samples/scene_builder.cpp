@@ -52,6 +52,7 @@ int addLight(Scene& scene, std::string name, LightShape shape, int parent, glm::
   // glTF: a light shines along its node's -z, from its origin.
   if (auto* directional = std::get_if<DirectionalLight>(&shape)) directional->direction = {0, 0, -1};
   if (auto* spot = std::get_if<SpotLight>(&shape)) spot->direction = {0, 0, -1};
+  if (auto* disk = std::get_if<DiskLight>(&shape)) disk->direction = {0, 0, -1};
   const int node = addNode(scene, name, parent, position);
   scene.nodes[static_cast<std::size_t>(node)].rotation = aim(direction);
   scene.nodes[static_cast<std::size_t>(node)].light = static_cast<int>(scene.lights.size());

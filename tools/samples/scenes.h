@@ -10,5 +10,7 @@ Scene makeStage();
 Scene makeDragon();
 Scene makeTouch();
 Scene makeFigure1();
+Scene makeCorridor();
+Scene makeGallery();
 
 }  // namespace rigel::tools
