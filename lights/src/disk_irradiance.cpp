@@ -3,6 +3,7 @@
 #include "disk_irradiance.h"
 
 #include <rigel/shader_disk_irradiance.h>
+#include <rigel/shader_disk_near.h>
 #include <rigel/shader_disk_view.h>
 
 #include <algorithm>
@@ -54,14 +55,20 @@ DiskPose poseOf(const NearLight& light, Vec3 p, Vec3 n) noexcept {
 
 float diskIrradiance(const NearLight& light, Vec3 p, Vec3 n, const NearWrap& wrap) noexcept {
   const DiskPose pose = poseOf(light, p, n);
-  return pose.scale * wrap.gain * diskLambert(pose.view.cone, pose.nx, pose.ny, pose.nz);
+  if (!(pose.scale > 0)) return 0;
+  const DiskCone<float>& cone = pose.view.cone;
+  if (wrap.a == 0) return pose.scale * wrap.gain * diskLambert(cone, pose.nx, pose.ny, pose.nz);
+  return pose.scale * diskWrapped(diskMoments6<5>(cone), cone, pose.nx, pose.ny, pose.nz, wrap);
 }
 
 float diskCheap(const NearLight& light, Vec3 p, Vec3 n) noexcept {
   const DiskPose pose = poseOf(light, p, n);
-  return pose.scale * diskLambert(pose.view.cone, pose.nx, pose.ny, pose.nz);
+  return pose.scale > 0 ? pose.scale * diskLambertCheap(pose.view.cone, pose.nx, pose.ny, pose.nz) : 0;
 }
 
-float diskCorrector(const NearLight&, Vec3, Vec3, const NearWrap&) noexcept { return 0; }
+float diskCorrector(const NearLight& light, Vec3 p, Vec3 n, const NearWrap& wrap) noexcept {
+  const DiskPose pose = poseOf(light, p, n);
+  return pose.scale > 0 ? pose.scale * diskAboveBand2(pose.view.cone, pose.nx, pose.ny, pose.nz, wrap) : 0;
+}
 
 }  // namespace rigel::detail

@@ -114,7 +114,8 @@ double lambertDisk(const DiskPose& d) noexcept {
     const double rest = scaleX * perX * square(d.t * perX) * atanRest(d.t * perX) - v * v * v * atanRest(v) - restY;
     return std::max(0.0, 0.5 * (arc + leading + rest));
   }
-  const double angles = std::atan2(horizon, atHorizon) - scaleX / d.t * std::atan2(d.t * x, atX);
+  const double sidePerT = d.t > 0 ? std::atan2(d.t * x, atX) / d.t : x / atX;
+  const double angles = std::atan2(horizon, atHorizon) - scaleX * sidePerT;
   return std::max(0.0, 0.5 * (arc + angles - scaleY * y - restY));
 }
 
