@@ -2,10 +2,13 @@
 #include "../../tools/cli/probe.h"
 
 #include <gtest/gtest.h>
+#include <rigel/disk.h>
+#include <rigel/disk_table.h>
 #include <rigel/exact.h>
 #include <rigel/project.h>
 #include <rigel/wrap.h>
 
+#include <array>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -15,6 +18,8 @@ namespace {
 using nlohmann::json;
 using tools::answerProbe;
 
+constexpr const char* kDisk =
+    R"({"type":"disk","position":[0.1,2,0.3],"direction":[0.2,-1,0],"radius":0.7,"radiance":[9,8,7]})";
 constexpr const char* kSphere = R"({"type":"sphere","position":[0.1,2,0.3],"radius":0.7,"radiance":[9,8,7]})";
 
 std::string request(const std::string& light, const std::string& rest = "") {
@@ -65,6 +70,45 @@ TEST(Probe, AnswersEveryLightTypeAndBandCount) {
       R"({"type":"spot","position":[1,2,3],"direction":[0,-1,-0.5],"intensity":[4,5,6],"inner":0.2,"outer":1.2})",
       SpotLight{{1, 2, 3}, {0, -1, -0.5f}, {4, 5, 6}, 0.2f, 1.2f});
   expectAnswer<5>(kSphere, SphereLight{{0.1f, 2, 0.3f}, 0.7f, {9, 8, 7}});
+  const DiskLight disk{{0.1f, 2, 0.3f}, {0.2f, -1, 0}, 0.7f, {9, 8, 7}};
+  expectAnswer<5>(kDisk, disk);
+  expectAnswer<2>(kDisk, disk);
+  // From behind: nothing, unless both faces shine.
+  const DiskLight turned{{1, -2, 3}, {0, -1, 0}, 2, {4, 5, 6}, true};
+  expectAnswer<3>(
+      R"({"type":"disk","position":[1,-2,3],"direction":[0,-1,0],"radius":2,"radiance":[4,5,6],"two_sided":true})",
+      turned);
+  EXPECT_GT(project<3>(turned, {0.25f, -0.5f, 1})[0].r, 0);
+}
+
+template <int B>
+void expectMethods() {
+  const DiskLight disk{{0.1f, 2, 0.3f}, {0.2f, -1, 0}, 0.7f, {9, 8, 7}};
+  const Vec3 p{0.25f, -0.5f, 1};
+  const auto answerBy = [](const std::string& method) {
+    return json::parse(answerProbe(
+        request(kDisk, R"(,"bands":)" + std::to_string(B) + R"(,"normal":[0,3,4],"method":")" + method + "\"")));
+  };
+  const json quadrature = answerBy("quadrature"), table = answerBy("table"), exact = answerBy("exact");
+  expectCoefficients<B>(quadrature.at("sh"), project<B>(disk, p));
+  expectCoefficients<B>(table.at("sh"), DiskTable::project<B>(disk, p));
+  EXPECT_NE(table.at("sh"), quadrature.at("sh")) << "the method was not heard";
+  std::array<double, 3 * shCount(B)> numbers{};
+  projectDiskExact(disk, p, B, numbers);
+  ASSERT_EQ(exact.at("sh").size(), static_cast<std::size_t>(shCount(B)));
+  for (int i = 0; i < 3 * shCount(B); ++i) EXPECT_EQ(exact.at("sh")[i / 3][i % 3].get<double>(), numbers[i]) << i;
+  for (const json& other : {table, exact}) {
+    EXPECT_EQ(other.at("gradient"), quadrature.at("gradient"));
+    EXPECT_EQ(other.at("irradiance_exact"), quadrature.at("irradiance_exact"));
+    EXPECT_NEAR(other.at("irradiance_sh")[0].get<double>(), quadrature.at("irradiance_sh")[0].get<double>(), 1e-3);
+  }
+}
+
+TEST(Probe, DisksAnswerByTheMethodAskedFor) {
+  expectMethods<2>();
+  expectMethods<3>();
+  expectMethods<4>();
+  expectMethods<5>();
 }
 
 TEST(Probe, LeavesOutWhatIsOptional) {
@@ -107,8 +151,19 @@ TEST(Probe, NamesWhatItCannotServe) {
       {R"({"light":{},"point":[0,0,0]})", "missing field \"type\""},
       {request(R"({"type":7})"), "\"type\" is not a string"},
       {request(R"({"type":"tube"})"), "unknown light type \"tube\""},
-      {request(R"({"type":"disk","position":[0,2,0],"direction":[0,-1,0],"radius":1,"radiance":[1,1,1]})"),
-       "not supported by this version"},
+      {request(R"({"type":"disk","position":[0,2,0],"direction":[0,0,0],"radius":1,"radiance":[1,1,1]})"),
+       "\"direction\" has length zero"},
+      {request(R"({"type":"disk","position":[0,2,0],"radius":1,"radiance":[1,1,1]})"), "missing field \"direction\""},
+      {request(R"({"type":"disk","position":[0,2,0],"direction":[0,1,0],"radius":-1,"radiance":[1,1,1]})"),
+       "\"radius\" is negative"},
+      {request(R"({"type":"disk","position":[0,2,0],"direction":[0,1,0],"radius":1,"radiance":[1,1,1],"two_sided":1})"),
+       "\"two_sided\" is not true or false"},
+      {request(
+           R"({"type":"disk","position":[0,2,0],"direction":[0,1,0],"radius":1,"radiance":[1,1,1],"method":"table"})"),
+       "a disk light has no field \"method\""},
+      {request(kDisk, R"(,"method":"guess")"), "\"method\" is not one of table, quadrature, exact"},
+      {request(kDisk, R"(,"method":1)"), "\"method\" is not a string"},
+      {request(kSphere, R"(,"method":"table")"), "\"method\" is for disk lights alone"},
       {std::string(R"({"light":)") + kSphere + "}", "missing field \"point\""},
       {sphere(R"("radius":1,"radiance":[1,1,1])"), "missing field \"position\""},
       {sphere(R"("position":[0,1,2],"radiance":[1,1,1])"), "missing field \"radius\""},

@@ -17,6 +17,9 @@ Light types and their fields (metres, radians; direction is the way the light tr
   point        position, intensity, radius (0.01), range (none)
   spot         the same and direction, inner (0), outer (pi/4)
   sphere       position, radius, radiance
+  disk         position, direction, radius, radiance, two_sided (false)
+A request with a disk may say "method": "quadrature" (6 nodes, float: the default), "table" (32x32, float) or "exact"
+(double, 1e-10): how its sh is found. The gradient is the quadrature's whatever it says.
 
 Answer, one a line:
   sh                radiance projection, [R,G,B] for each of bands^2 coefficients; neither pi nor wrap in it

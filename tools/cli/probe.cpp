@@ -1,9 +1,12 @@
 #include "probe.h"
 
+#include <rigel/disk.h>
+#include <rigel/disk_table.h>
 #include <rigel/exact.h>
 #include <rigel/project.h>
 #include <rigel/wrap.h>
 
+#include <array>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
@@ -19,7 +22,7 @@ namespace rigel::tools {
 namespace {
 
 using nlohmann::json;
-using Light = std::variant<DirectionalLight, PointLight, SpotLight, SphereLight>;
+using Light = std::variant<DirectionalLight, PointLight, SpotLight, SphereLight, DiskLight>;
 
 /// What is wrong with a request, as the answer will say it.
 struct BadRequest : std::runtime_error {
@@ -32,6 +35,7 @@ struct Request {
   std::optional<Vec3> normal;
   float wrap = 0;
   int bands = kDefaultBands;
+  DiskMethod method = DiskMethod::quadrature;  // of a disk light
 };
 
 const json& field(const json& object, const std::string& name) {
@@ -106,11 +110,25 @@ SpotLight spotLight(const json& light) {
   return out;
 }
 
+DiskLight diskLight(const json& light) {
+  const float radius = radiusOf(number(field(light, "radius"), "radius"));
+  DiskLight out{vector(light, "position"), directionVector(light, "direction"), radius, colour(light, "radiance")};
+  if (const auto found = light.find("two_sided"); found != light.end()) {
+    if (!found->is_boolean()) throw BadRequest("\"two_sided\" is not true or false");
+    out.twoSided = found->get<bool>();
+  }
+  return out;
+}
+
+std::string stringField(const json& object, const std::string& name) {
+  const json& value = field(object, name);
+  if (!value.is_string()) throw BadRequest("\"" + name + "\" is not a string");
+  return value.get<std::string>();
+}
+
 Light parseLight(const json& light) {
   if (!light.is_object()) throw BadRequest("\"light\" is not an object");
-  const json& typeField = field(light, "type");
-  if (!typeField.is_string()) throw BadRequest("\"type\" is not a string");
-  const auto type = typeField.get<std::string>();
+  const std::string type = stringField(light, "type");
   if (type == "directional") {
     refuseOtherFields(light, type, {"direction", "irradiance"});
     return DirectionalLight{directionVector(light, "direction"), colour(light, "irradiance")};
@@ -128,7 +146,10 @@ Light parseLight(const json& light) {
     return SphereLight{vector(light, "position"), radiusOf(number(field(light, "radius"), "radius")),
                        colour(light, "radiance")};
   }
-  if (type == "disk") throw BadRequest("disk lights are not supported by this version");
+  if (type == "disk") {
+    refuseOtherFields(light, type, {"position", "direction", "radius", "radiance", "two_sided"});
+    return diskLight(light);
+  }
   throw BadRequest("unknown light type \"" + type + "\"");
 }
 
@@ -142,10 +163,21 @@ int bandCount(const json& request) {
   return static_cast<int>(bands);
 }
 
+DiskMethod diskMethod(const json& request, const Light& light) {
+  if (!request.contains("method")) return DiskMethod::quadrature;
+  const std::string name = stringField(request, "method");
+  if (!std::holds_alternative<DiskLight>(light)) throw BadRequest("\"method\" is for disk lights alone");
+  if (name == "table") return DiskMethod::table;
+  if (name == "quadrature") return DiskMethod::quadrature;
+  if (name == "exact") return DiskMethod::exact;
+  throw BadRequest("\"method\" is not one of table, quadrature, exact");
+}
+
 Request parseRequest(const json& object) {
   if (!object.is_object()) throw BadRequest("the request is not an object");
   Request request;
   request.light = parseLight(field(object, "light"));
+  request.method = diskMethod(object, request.light);
   request.point = vector(object, "point");
   if (object.contains("normal")) request.normal = directionVector(object, "normal");
   request.wrap = numberOr(object, "wrap", 0);
@@ -171,15 +203,46 @@ Vec3 unit(Vec3 v) {
   return {static_cast<float>(v.x / norm), static_cast<float>(v.y / norm), static_cast<float>(v.z / norm)};
 }
 
+/// The coefficients asked for, and as they are printed.
+template <int B>
+struct Answered {
+  RadianceSH<B> sh;
+  std::string text;
+};
+
+template <int B>
+Answered<B> answered(const RadianceSH<B>& sh) {
+  return {sh, text(sh.c)};
+}
+
+template <int B>
+Answered<B> exactAnswer(const DiskLight& light, Vec3 point) {
+  std::array<double, 3 * shCount(B)> numbers{};
+  projectDiskExact(light, point, B, numbers);
+  Answered<B> out;
+  for (int i = 0; i < shCount(B); ++i) {
+    const double* c = &numbers[3 * i];
+    for (int channel = 0; channel < 3; ++channel) out.sh[i][channel] = static_cast<float>(c[channel]);
+    out.text += (i > 0 ? "," : "") + text(RgbD{c[0], c[1], c[2]});
+  }
+  out.text = "[" + out.text + "]";
+  return out;
+}
+
 template <int B>
 std::string answer(const Request& request) {
   const auto projection =
       std::visit([&](const auto& light) { return projectWithGradient<B>(light, request.point); }, request.light);
-  std::string out = "{\"sh\":" + text(projection.value.c) + ",\"gradient\":[";
+  Answered<B> projected = answered(projection.value);
+  if (const auto* disk = std::get_if<DiskLight>(&request.light)) {
+    if (request.method == DiskMethod::table) projected = answered(DiskTable::project<B>(*disk, request.point));
+    if (request.method == DiskMethod::exact) projected = exactAnswer<B>(*disk, request.point);
+  }
+  std::string out = "{\"sh\":" + projected.text + ",\"gradient\":[";
   for (int axis = 0; axis < 3; ++axis) out += (axis > 0 ? "," : "") + text(projection.gradient.d[axis].c);
   out += "]";
   if (request.normal) {
-    const Rgb fromSh = evaluate(irradianceFromRadiance(projection.value, request.wrap), unit(*request.normal));
+    const Rgb fromSh = evaluate(irradianceFromRadiance(projected.sh, request.wrap), unit(*request.normal));
     const RgbD exact = std::visit(
         [&](const auto& light) { return exactIrradiance(light, request.point, *request.normal, request.wrap); },
         request.light);
