@@ -35,4 +35,15 @@ void projectSphereTextbookGradient(const SphereLight& light, Vec3 p, float step,
   }
 }
 
+float wallaceIrradiance(const DiskLight& light, Vec3 p, Vec3 n) {
+  const Vec3 toLight = light.position - p;
+  const float d2 = dot(toLight, toLight);
+  const Vec3 w = toLight * (1 / std::sqrt(d2));
+  const float cosine = -dot(w, light.direction) / length(light.direction);
+  const float atLight = light.twoSided ? std::abs(cosine) : std::max(cosine, 0.0f);
+  const float pi = static_cast<float>(kPi);
+  const float area = pi * light.radius * light.radius;
+  return pi * area * std::max(dot(n, w), 0.0f) * atLight / (pi * d2 + area);
+}
+
 }  // namespace rigel::tools

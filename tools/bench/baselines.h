@@ -14,4 +14,9 @@ void projectSphereTextbook(const SphereLight& light, Vec3 p, RadianceSH<3>& sum)
 void projectSphereTextbookGradient(const SphereLight& light, Vec3 p, float step, RadianceSH<3>& value,
                                    RadianceShGradient<3>& gradient);
 
+/// Irradiance of unit radiance [W/m2] that a disk gives, scalar, in float, as published: pi A cos cos' / (pi r^2 + A),
+/// the disk's centre standing for all of it. J. Wallace, K. Elmquist, E. Haines, "A Ray Tracing Algorithm for
+/// Progressive Radiosity", SIGGRAPH 1989.
+float wallaceIrradiance(const DiskLight& light, Vec3 p, Vec3 n);
+
 }  // namespace rigel::tools
