@@ -56,9 +56,9 @@ HWY_INLINE DiskView<Lane> viewFrom(const DiskBatchLight& light, const float* x, 
   if (!near) {
     // Held to the reach, and dimmed for that. NaN and infinity fail every comparison: they are put into the plane,
     // where there is no light.
-    const Lane farthest = max(abs(vx), max(abs(vy), abs(vz)));
-    const Lane held = min(Lane(kRigelDiskReach) / farthest, Lane(1.0f));
-    const auto there = abs(vx) + abs(vy) + abs(vz) < Lane(std::numeric_limits<float>::infinity());
+    const Lane reach = abs(vx) + abs(vy) + abs(vz);
+    const Lane held = min(Lane(kRigelDiskReach) / reach, Lane(1.0f));
+    const auto there = reach < Lane(std::numeric_limits<float>::infinity());
     vx = select(there, vx * held, Lane(0.0f));
     vy = select(there, vy * held, Lane(0.0f));
     vz = select(there, vz * held, Lane(0.0f));
