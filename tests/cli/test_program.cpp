@@ -14,7 +14,7 @@ TEST(Program, TellsItsVersionAndHelp) {
   const Outcome version = runProgram({"--version"});
   EXPECT_EQ(version.exitCode, 0);
   EXPECT_THAT(version.out, StartsWith("rigel 0."));
-  for (const std::string command : {"", "report", "probe", "sample", "info", "bench"}) {
+  for (const std::string command : {"", "report", "probe", "sample", "info", "tables", "bench"}) {
     std::vector<std::string> arguments;
     if (!command.empty()) arguments.push_back(command);
     arguments.push_back("--help");

@@ -5,6 +5,7 @@
 #include <rigel/disk_table.h>
 #include <rigel/make_disk_table.h>
 #include <rigel/project.h>
+#include <rigel/shader_disk_table.h>
 
 #include "disk_tables/disk_poses.h"
 #include "gpu/packed_rig.h"
@@ -127,6 +128,20 @@ TEST(DiskTable, HoldsUpToTheRim) {
     add<5>(worst, DiskTable::view(), pose.light, pose.p);
   }
   worst.expectWithin(6e-4);
+}
+
+// A sampler that takes texel i to lie at (i + 1/2)/size finds what the look-up finds.
+TEST(DiskTable, TextureCoordinatesMeetTheTexels) {
+  const float size = kDiskTableSize;
+  for (int i = 0; i < kDiskTableSize; ++i) {
+    const float place = static_cast<float>(i) / (size - 1);
+    EXPECT_NEAR(detail::diskTableCoordinate(place, size) * size - 0.5f, static_cast<float>(i), 1e-5f);
+  }
+  // The corners of the domain: far away, on the face below the centre, in the plane at the rim.
+  EXPECT_EQ(detail::diskTableU(detail::diskConeOf(0.0f, 1.0f, 0.0f, 1.0f)), 0);
+  EXPECT_EQ(detail::diskTableV(detail::diskConeOf(0.0f, 1.0f, 0.0f, 1.0f)), 0);
+  EXPECT_EQ(detail::diskTableU(detail::diskConeOf(1.0f, 0.0f, 0.0f, 1.0f)), 1);
+  EXPECT_EQ(detail::diskTableV(detail::diskConeOf(0.0f, 1.0f, 1.0f, 0.0f)), 1);
 }
 
 // The table and the quadrature see the same light: footprint, both sides, what is no light.

@@ -22,6 +22,7 @@ Command addRender(CLI::App& root);
 Command addProbe(CLI::App& root);
 Command addSample(CLI::App& root);
 Command addInfo(CLI::App& root);
+Command addTables(CLI::App& root);
 Command addBench(CLI::App& root);
 
 /// Prints "rigel: message" on stderr and returns `code`.
