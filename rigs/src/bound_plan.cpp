@@ -17,11 +17,12 @@ using detail::BoundPlan;
 // (Peano's constants), and the largest sum of |weights|. Smoothstep weights differ from linear ones by at most .0963.
 struct KernelConstants {
   double first, second, lebesgue;
+  double kink = 0.25;  // per D times a jump of the slope
 };
 constexpr KernelConstants constantsOf(LatticeKernel kernel, int nodes) noexcept {
   if (kernel == LatticeKernel::smooth) return {0.0963, 0.125, 1};
   if (kernel == LatticeKernel::cubic && nodes > 2)
-    return nodes == 3 ? KernelConstants{0, 0.1321, 1.1482} : KernelConstants{0, 0.1407, 1.25};
+    return nodes == 3 ? KernelConstants{0, 0.1321, 1.1482, 0.27} : KernelConstants{0, 0.1407, 1.25, 0.27};
   return {0, 0.125, 1};
 }
 
@@ -44,6 +45,7 @@ void planAxis(BoundPlan::Axis& axis, const AxisModel& model, const RigSpec& spec
       axis.node = axis.half;
       axis.first = lebesgue * k.first * spacing;
       axis.second = lebesgue * k.second * spacing * spacing;
+      axis.kink = lebesgue * k.kink * spacing;
       lebesgue *= k.lebesgue;
   }
 }
@@ -76,6 +78,7 @@ BoundPlan boundPlan(const Rig& rig, float radius, detail::SamplePlan& samples) n
   for (BoundPlan::Axis& axis : plan.axis) {
     plan.gradients += axis.gradient > 0;
     axis.gradient *= plan.lebesgue;
+    if (axis.gradient > 0) axis.kink = axis.gradient;
     if (axis.node == 0) axis.first *= plan.lebesgue;
   }
   plan.numeric = spec.fit == FitMethod::numeric;

@@ -17,6 +17,7 @@
 #include "interpolation_bound.h"
 #include "modulation_bound.h"
 #include "sample_bound.h"
+#include "value_range.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,17 +31,6 @@ using detail::BoundPlan;
 using detail::SamplePlan;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-
-// Of the light's peak and the sum of |weights|: rounding of the float path.
-constexpr double kValueRounding = 1e-6;
-
-/// Values of opposite sign that a function takes: between -down and up.
-struct Range {
-  double down = 0, up = 0;
-};
-
-/// Largest difference of two functions.
-double difference(Range a, Range b) noexcept { return std::max(a.up + b.down, a.down + b.up); }
 
 class Bound {
  public:
@@ -62,25 +52,13 @@ class Bound {
                                                                 : tensorError(served, nodes, lit, cone, fronts);
     const double reach = std::max(lit, near_);
     const double peak = field_.peak(reach);
-    out.peak = held(served.most * std::max(peak, field_.exactPeak(reach)));
-    out.error = held(error + kValueRounding * plan_.lebesgue * served.most * peak);
+    out.peak = heldBound(served.most * std::max(peak, field_.exactPeak(reach)));
+    out.error = heldBound(error + kValueRounding * plan_.lebesgue * served.most * peak);
     return out;
   }
 
  private:
-  static float held(double x) noexcept {
-    constexpr double kLargest = std::numeric_limits<float>::max();
-    constexpr double kLeast = std::numeric_limits<float>::min();
-    return static_cast<float>(std::clamp(x, kLeast, kLargest));
-  }
-
   Range light(double peak) const noexcept { return {wrap_.lobe * peak, peak}; }
-
-  /// Of weighted sums of values in `values`, the sum of |weights| being at most `lebesgue` and that of weights 1.
-  static Range blended(Range values, double lebesgue) noexcept {
-    const double spread = (lebesgue - 1) / 2 * (values.up + values.down);
-    return {values.down + spread, values.up + spread};
-  }
 
   /// What slopes add to the rig's values where the light is modulated by up to `most` with slope `slope` at the nodes.
   double slopeRange(double most, double slope) const noexcept {
@@ -230,15 +208,6 @@ class Bound {
 template <class... Floats>
 bool anyNan(Floats... values) noexcept {
   return ((values != values) || ...);
-}
-
-/// Unit vector, or nothing where it has no direction.
-bool unitOf(Vec3 v, Triple& unit) noexcept {
-  const Triple wide{v.x, v.y, v.z};
-  const double length = std::sqrt(wide[0] * wide[0] + wide[1] * wide[1] + wide[2] * wide[2]);
-  if (!(length > 0) || !std::isfinite(length)) return false;
-  for (int a = 0; a < 3; ++a) unit[a] = wide[a] / length;
-  return true;
 }
 
 double pointRadius(float radius) noexcept { return std::max(radius, kMinPointRadius); }

@@ -49,6 +49,14 @@ double cosineAlong(const Region& region, const Triple& axis, int a) noexcept {
 
 }  // namespace
 
+bool unitOf(Vec3 v, Triple& unit) noexcept {
+  const Triple wide{v.x, v.y, v.z};
+  const double length = lengthOf(wide);
+  if (!(length > 0) || !std::isfinite(length)) return false;
+  for (int a = 0; a < 3; ++a) unit[a] = wide[a] / length;
+  return true;
+}
+
 Triple inRigFrame(const RigFrame& frame, const Triple& v) noexcept {
   const auto along = [&](Vec3 axis) { return dotOf({axis.x, axis.y, axis.z}, v); };
   return {along(frame.x), along(frame.y), along(frame.z)};

@@ -31,6 +31,9 @@ struct LightPlace {
 /// shortened (near) or lengthened (far) by what the rounding of float positions can do.
 LightPlace placeOf(const detail::BoundPlan& plan, const RigFrame& worldFromRig, Vec3 position) noexcept;
 
+/// Unit vector; false where it has no direction.
+bool unitOf(Vec3 v, Triple& unit) noexcept;
+
 Triple inRigFrame(const RigFrame& worldFromRig, const Triple& vector) noexcept;
 
 struct Interval {

@@ -55,7 +55,7 @@ SampleBound sampleBound(const BoundPlan& plan, const SamplePlan& samples, const 
   const auto r2 = static_cast<float>(radius * radius);
   const std::array<float, 3> at{static_cast<float>(light[0]), static_cast<float>(light[1]),
                                 static_cast<float>(light[2])};
-  float sumValue = 0, mostValue = 0, sumShrink = 0, nearest = std::numeric_limits<float>::max();
+  float sumValue = 0, mostValue = 0, sumShrink = 0, sumShare = 0, nearest = std::numeric_limits<float>::max();
   for (int i = 0; i < samples.samples; ++i) {
     const SamplePlan::Sample& s = samples.sample[i];
     const float x = at[0] - s.x, y = at[1] - s.y, z = at[2] - s.z;
@@ -67,6 +67,7 @@ SampleBound sampleBound(const BoundPlan& plan, const SamplePlan& samples, const 
     nearest = std::min(nearest, d2);
     // A footprint that is larger than the light weakens bands 0 and 2: a convex function of (footprint / distance)^2.
     const float share = f2 > r2 ? std::min(1.0f, f2 * inverse) : 0.0f;
+    sumShare += s.weight * inverse * share * (1 - std::min(1.0f, r2 / f2));
     sumShrink += s.weight * inverse * std::max(0.172f * share, 0.0858f + 0.8284f * (share - 0.5f));
   }
   for (int i = 0; i < samples.probes; ++i) {
@@ -101,7 +102,9 @@ SampleBound sampleBound(const BoundPlan& plan, const SamplePlan& samples, const 
     const auto& table = term.single ? single : strength;
     sum += term.factor * table[0][term.degree[0]] * table[1][term.degree[1]] * table[2][term.degree[2]];
   }
-  out.error += static_cast<double>(sum) * field.peak(box);
+  out.enlarged = power * sumShare;
+  out.smooth = static_cast<double>(sum) * field.peak(box);
+  out.error += out.smooth;
   if (!plan.polynomial) out.error += (1 + plan.lebesgue) * boxError;
   return out;
 }

@@ -6,9 +6,11 @@
 namespace rigel {
 
 struct SampleBound {
-  double near = 0;   // distance to the nearest point served, or less
-  double error = 0;  // of footprints and of the distance between light and span, times the rig's own amplification
-  double cap = 0;    // largest value of the rig
+  double near = 0;      // distance to the nearest point served, or less
+  double error = 0;     // of footprints and of the distance between light and span, times the rig's own amplification
+  double smooth = 0;    // its part without footprints and `boxError`
+  double enlarged = 0;  // sum of weights times power / distance^4 times (footprint^2 - radius^2)
+  double cap = 0;       // largest value of the rig
 };
 
 /// `light`: its position in the rig frame. `box`: distance to the box; `boxError`: |(I - P) phi| of the same axes with

@@ -28,6 +28,23 @@ float coneOnPatch(const SpotLight& light, Vec3 patch, float d, float rho) noexce
   return x * x * (3 - 2 * x) * t * t;
 }
 
+/// How much of a patch of radius rho lies before a disk: 0 where it is all behind.
+float patchBefore(const DiskLight& light, Vec3 patch, float rho) noexcept {
+  const float axis = length(light.direction);
+  if (!(axis > 0)) return 0;
+  const float height = dot(light.direction, patch - light.position) / axis;
+  const float x = std::clamp(((light.twoSided ? std::abs(height) : height) / rho + 1) / 2, 0.0f, 1.0f);
+  return x * x * (3 - 2 * x);
+}
+
+/// The same disk, turned to the point, or as it is where it is there.
+DiskLight turnedTo(DiskLight light, Vec3 point) noexcept {
+  const Vec3 towards = point - light.position;
+  const float distance = length(towards);
+  if (distance > 0) light.direction = towards * (1 / distance);
+  return light;
+}
+
 }  // namespace
 
 template <int B>
@@ -181,6 +198,13 @@ float SurfaceCheck<B>::excessOf(const Light& light) const noexcept {
         const PointLight whole{light.position, light.intensity, light.radius, light.range};
         const float met = (1 - apart) * coneOnPatch(light, point.position, d, rho) * (ratio + 1);
         sum += point.share * std::max(0.0f, met * square(whole) - square(light));
+      } else if constexpr (std::is_same_v<Light, DiskLight>) {
+        // The point may lie behind a disk that lights a part of the patch. One that is larger than the patch lights all
+        // of what is before it alike.
+        if (!(ratio > 0)) continue;
+        const float met = (1 - apart) * patchBefore(light, point.position, rho) * (ratio + 1);
+        const float lost = met * square(turnedTo(light, point.position)) - square(light);
+        sum += point.share * std::min(ratio, 1.0f) * std::max(0.0f, lost);
       } else if (ratio > 0) {
         sum += point.share * square(light) * ratio;
       }

@@ -91,6 +91,66 @@ Irradiance9 referenceIrradiance(const SpotLight& light, Vec3 p, float wrap) {
   return sphere(v, radius, t * t * (3 - 2 * t) * window(d, light.range) / (kPi * radius * radius), wrap);
 }
 
+Irradiance9 referenceIrradiance(const DiskLight& light, Vec3 p, float wrap) {
+  // In the frame of the cone's bisector (research/light_maths.md, section 3) the second moments are diagonal; their
+  // integrals over the rim are periodic, and the midpoint rule converges geometrically.
+  const Vec v = difference(light.position, p);
+  Vec towards = unit(difference({}, light.direction));  // from the receiver, against the emission
+  double z = dotOf(v, towards);
+  if (light.twoSided && z < 0) {
+    z = -z;
+    for (double& x : towards) x = -x;
+  }
+  Irradiance9 e{};
+  if (!(z > 0)) return e;
+  Vec lateral;
+  for (int i = 0; i < 3; ++i) lateral[i] = v[i] - z * towards[i];
+  const double R = light.radius, off = std::sqrt(dotOf(lateral, lateral)), rho = off / R;
+  Vec aside = unit(lateral);
+  if (!(off > 0)) {
+    const Vec other = std::abs(towards[0]) < 0.5 ? Vec{1, 0, 0} : Vec{0, 1, 0};
+    for (int i = 0; i < 3; ++i) aside[i] = other[i] - dotOf(other, towards) * towards[i];
+    aside = unit(aside);
+  }
+  z /= R;
+  const double edge = (off - R) / R, d1 = std::hypot(rho + 1, z), d2 = std::hypot(edge, z), D = d1 * d2;
+  const double m = edge * (rho + 1) + z * z, t = 4 * rho / ((d1 + d2) * (d1 + d2));
+  const double sx2 = m > 0 ? 2 * z * z / (D * (D + m)) : (D - m) / (2 * D);
+  const double cx2 = m > 0 ? (D + m) / (2 * D) : 2 * z * z / (D * (D - m));
+  const double sy2 = sx2 + t * t * cx2, sx = std::sqrt(sx2), cx = std::sqrt(cx2), sy = std::sqrt(sy2);
+  double solid = 0, cosine = 0, spread = 0;
+  constexpr int kSteps = 24;
+  for (int i = 0; i < kSteps; ++i) {
+    const double psi = (i + 0.5) / kSteps * kPi / 2, c2 = std::cos(psi) * std::cos(psi), s2 = 1 - c2;
+    const double c = cx * std::sqrt(c2 + (1 - t * t) * s2);
+    solid += 1 / (1 + c);
+    cosine += c;
+    spread += (2 + c) * (sx2 * c2 - sy2 * s2) / (3 * (1 + c) * (1 + c));
+  }
+  const double V = kPi * sx * sy, scale = 2 * V / kSteps;
+  solid *= scale;                        // of dw
+  const double zz = cosine * scale / 2;  // of (3 z^2 - 1)/2
+  spread *= 1.5 * scale;                 // of 3 (x^2 - y^2)/2
+  const std::array<double, 3> moments{(spread - zz) / 2, (-spread - zz) / 2, zz};
+  std::array<Vec, 3> axes;
+  for (int i = 0; i < 3; ++i) {
+    axes[0][i] = (sx * aside[i] - t * cx * towards[i]) / sy;
+    axes[2][i] = (t * cx * aside[i] + sx * towards[i]) / sy;
+  }
+  for (int i = 0; i < 3; ++i)
+    axes[1][i] = axes[2][(i + 1) % 3] * axes[0][(i + 2) % 3] - axes[2][(i + 2) % 3] * axes[0][(i + 1) % 3];
+  const std::array<float, 3> f = wrapCoefficients<3>(wrap);
+  const Irradiance9 bisector = basis(axes[2]);
+  e[0] = kPi * double{f[0]} * solid * bisector[0];
+  for (int i = 1; i < 4; ++i) e[i] = kPi * double{f[1]} * V * bisector[i];
+  // A quadratic form n^T diag(a, b, c) n of trace 0 is a combination of Y2 about the three axes: sum a_k (2/3) P2_k.
+  for (int k = 0; k < 3; ++k) {
+    const Irradiance9 y = basis(axes[k]);
+    for (int i = 4; i < 9; ++i) e[i] += kPi * double{f[2]} * moments[k] * 2 / 3 * y[i];
+  }
+  return e;
+}
+
 double largestOverNormals(const Irradiance9& e) {
   // e0 + v.n + n^T Q n, Q symmetric.
   const double a = std::sqrt(1 / (4 * kPi)), b = std::sqrt(3 / (4 * kPi)), c = std::sqrt(15 / (4 * kPi));

@@ -18,6 +18,7 @@ Irradiance9 referenceIrradiance(const DirectionalLight& light, Vec3 p, float wra
 Irradiance9 referenceIrradiance(const PointLight& light, Vec3 p, float wrap);
 Irradiance9 referenceIrradiance(const SpotLight& light, Vec3 p, float wrap);
 Irradiance9 referenceIrradiance(const SphereLight& light, Vec3 p, float wrap);
+Irradiance9 referenceIrradiance(const DiskLight& light, Vec3 p, float wrap);
 
 /// Largest |sum_i e_i Y_i(n)| over unit n: 60 directions, and ascent from the best. At most 1e-3 too small.
 double largestOverNormals(const Irradiance9& e);

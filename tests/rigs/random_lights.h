@@ -30,6 +30,21 @@ class RandomLights {
     place();
     return {position_, {1, 1, 1}, radius_, range()};
   }
+  /// Half of the disks aim at the object; of the others half have their plane through it, half look anywhere. One in
+  /// four is two-sided.
+  DiskLight disk() {
+    place();
+    Vec3 axis = onOrIn() - position_;
+    const float distance = length(axis);
+    axis = distance > 0 ? axis * (1 / distance) : direction();
+    const double kind = uniform(0, 1);
+    if (kind < 0.25) {
+      axis = tilted(axis, M_PI / 2 + uniform(-0.05, 0.05) * uniform(0, 1));
+    } else if (kind < 0.5) {
+      axis = direction();
+    }
+    return {position_, axis * static_cast<float>(uniform(0.5, 2)), radius_, {1, 1, 1}, uniform(0, 1) < 0.25};
+  }
   /// Half of the cones aim at the object, half have their rim on it.
   SpotLight spot() {
     place();

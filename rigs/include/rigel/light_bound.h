@@ -73,6 +73,7 @@ struct BoundPlan {
     double first = 0;     // error per largest slope along the axis ...
     double second = 0;    // ... and per largest curvature
     double gradient = 0;  // half extent, where the axis is modelled by a slope
+    double kink = 0;      // error per jump of the slope along the axis
   };
   Kind kind = Kind::tensor;
   std::array<Axis, 3> axis;
