@@ -26,4 +26,7 @@ std::vector<Vec3> bodySurface();
 /// Bounds of lights' errors: made for a rig in a pose, and asked about a light.
 void addBoundCases(std::vector<BenchCase>& cases);
 
+/// Disk lights, one and many points at a time, beside Wallace's approximation.
+void addDiskCases(std::vector<BenchCase>& cases);
+
 }  // namespace rigel::tools

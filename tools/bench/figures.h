@@ -11,7 +11,7 @@ namespace rigel::tools {
 
 struct Figure {
   std::string name;      // project.sphere.n64
-  double value = 0;      // median CPU time
+  double value = 0;      // least CPU time of the repetitions
   std::string unit;      // "ns/light/point", "us/character", "ns/point"
   std::string baseline;  // what it is compared with, or ""
   double ratio = 0;      // baseline time / own time: above 1 is faster

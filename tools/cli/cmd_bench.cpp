@@ -84,7 +84,7 @@ Command addBench(CLI::App& root) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* app = root.add_subcommand("bench", "Time projection, fitting and shading, each against its baseline");
   app->add_option("--filter", arguments->filter, "Regular expression on figure names")->capture_default_str();
-  app->add_option("--repetitions", arguments->repetitions, "Repetitions; the median counts, on the GPU the least")
+  app->add_option("--repetitions", arguments->repetitions, "Repetitions, of which the least time counts")
       ->capture_default_str()
       ->check(CLI::Range(1, 1000));
   app->add_flag("--json", arguments->json, "Figures as JSON");
