@@ -17,7 +17,7 @@ struct DiskPose {
 };
 
 /// The disk at the origin, `radius` m large, facing any way; the receiver in front of it in all directions, half of
-/// them about the centre at distances of 1e-3 to 1e4 radii, half about a point of the rim at 1e-4 to 1.
+/// them about the centre at distances of 1e-3 to 1e4 radii, half about a point of the rim at 1e-6 to 1.
 inline DiskPose randomDiskPose(Random& random, double radius = 1) {
   const Vec3 axis = random.direction();
   Vec3 side = random.direction();
@@ -30,7 +30,7 @@ inline DiskPose randomDiskPose(Random& random, double radius = 1) {
   // A third of the receivers at grazing angles, down to 1e-6 of the distance.
   if (random.index(3) == 0) up = up - axis * (std::abs(height) * (1 - static_cast<float>(random.logUniform(1e-6, 1))));
   const bool atRim = random.index(2) == 0;
-  const auto distance = static_cast<float>(atRim ? random.logUniform(1e-4, 1) : random.logUniform(1e-3, 1e4));
+  const auto distance = static_cast<float>(atRim ? random.logUniform(1e-6, 1) : random.logUniform(1e-3, 1e4));
   const Vec3 inRadii = (atRim ? side : Vec3{}) + up * distance;
 
   DiskPose pose;

@@ -57,6 +57,8 @@ Worst worstOf(const char* name, const DiskTableView& table, int poses) {
   return worst;
 }
 
+constexpr double kInterpolation = 1.6e-4;  // measured 1.5e-4, with five bands
+
 int poseCount() { return test::fullRun() ? 1'000'000 : 20'000; }
 
 /// A table that owns its texels.
@@ -75,7 +77,6 @@ OwnTable roundedToHalves() {
 
 // Asked of the table: 6e-4.
 TEST(DiskTable, IsWithinItsErrorOfTheExactProjection) {
-  constexpr double kInterpolation = 1.6e-4;  // measured 1.4e-4
   worstOf("32x32 float", DiskTable::view(), poseCount()).expectWithin(kInterpolation);
 }
 
@@ -118,26 +119,20 @@ TEST(DiskTable, IsExactOnTheAxisOnTheFaceAndFarAway) {
   far.expectWithin(kRounding);
 }
 
-// Nearer than a thousandth of the radius the last row of the table ends in the rim, where all of it stays finite.
+// The last row of the table is the rim itself: unlike a quadrature it loses nothing there.
 TEST(DiskTable, HoldsUpToTheRim) {
   Worst worst("at the rim");
   Random random(53);
   for (int k = 0; k < poseCount(); ++k) {
     const DiskPose pose = test::randomDiskPose(random);
-    if (pose.rimDistance > 1e-2 || pose.rimDistance < 2e-4) continue;
+    if (pose.rimDistance > 1e-2) continue;
     add<5>(worst, DiskTable::view(), pose.light, pose.p);
   }
-  worst.expectWithin(6e-4);
+  worst.expectWithin(kInterpolation);
 }
 
-// A sampler that takes texel i to lie at (i + 1/2)/size finds what the look-up finds.
-TEST(DiskTable, TextureCoordinatesMeetTheTexels) {
-  const float size = kDiskTableSize;
-  for (int i = 0; i < kDiskTableSize; ++i) {
-    const float place = static_cast<float>(i) / (size - 1);
-    EXPECT_NEAR(detail::diskTableCoordinate(place, size) * size - 0.5f, static_cast<float>(i), 1e-5f);
-  }
-  // The corners of the domain: far away, on the face below the centre, in the plane at the rim.
+// The corners of the domain are those of the textures: far away, on the face, in the plane at the rim.
+TEST(DiskTable, DomainIsTheSquare) {
   EXPECT_EQ(detail::diskTableU(detail::diskConeOf(0.0f, 1.0f, 0.0f, 1.0f)), 0);
   EXPECT_EQ(detail::diskTableV(detail::diskConeOf(0.0f, 1.0f, 0.0f, 1.0f)), 0);
   EXPECT_EQ(detail::diskTableU(detail::diskConeOf(1.0f, 0.0f, 0.0f, 1.0f)), 1);
@@ -146,7 +141,7 @@ TEST(DiskTable, TextureCoordinatesMeetTheTexels) {
 
 // The table and the quadrature see the same light: footprint, both sides, what is no light.
 TEST(DiskTable, TakesFootprintAndSidesAsProjectDoes) {
-  constexpr double kBoth = 3e-4;  // table and six nodes together, a tenth of a radius from the rim
+  constexpr double kBoth = 1.5e-4;  // three bands of the table and six nodes together
   Worst worst("against project()");
   Random random(54);
   int lit = 0, dark = 0;

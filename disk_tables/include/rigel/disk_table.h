@@ -20,7 +20,7 @@ struct DiskTableView {
   std::span<const float> texture0, texture1;  // 4 size^2 floats each, rows along U, row 0 at V = 0
 
   /// SH of one light at `p`, as project (project.h) with all it says of hard cases and of `footprint`. Bands 1 and 3
-  /// are exact, the others of ||q|| within 2e-4 at 32x32, 9e-4 at 16x16, 6e-5 at 64x64 (disk_tables/README.md). No
+  /// are exact, the others within 1.6e-4 of ||q|| at 32x32, 6e-4 at 16x16, 4e-5 at 64x64 (disk_tables/README.md). No
   /// allocation.
   template <int B>
   RadianceSH<B> project(const DiskLight& light, Vec3 p, float footprint = 0) const noexcept;

@@ -17,7 +17,6 @@
 #ifdef __cplusplus
 #define rigel_diskTableU diskTableU
 #define rigel_diskTableV diskTableV
-#define rigel_diskTableCoordinate diskTableCoordinate
 #define rigel_diskMomentsAtOneNode diskMomentsAtOneNode
 namespace RIGEL_SHADER_NAMESPACE {
 #else
@@ -32,11 +31,6 @@ RIGEL_GENERIC RIGEL_FUNCTION Real rigel_diskTableU(RIGEL_IN(RIGEL_OF(DiskCone)) 
 RIGEL_GENERIC RIGEL_FUNCTION Real rigel_diskTableV(RIGEL_IN(RIGEL_OF(DiskCone)) cone) RIGEL_NOEXCEPT {
   Real root = sqrt(cone.u);
   return max(Real(1.0f) - root * sqrt(root), Real(0.0f));
-}
-
-/// Texture coordinate of U or V (`place`).
-RIGEL_GENERIC RIGEL_FUNCTION Real rigel_diskTableCoordinate(Real place, Real size) RIGEL_NOEXCEPT {
-  return (place * (size - Real(1.0f)) + Real(0.5f)) / size;
 }
 
 /// What the texels are added to. Band 3 is exact as it is, and so is band 1.
