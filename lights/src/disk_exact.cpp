@@ -44,7 +44,10 @@ detail::DiskMoments<double> detail::exactDiskMoments(const DiskCone<double>& con
   static const auto kNodes = makeNodes();
   DiskSums<double> sums = diskSums(0.0);
   // The lightest first.
-  for (int k = kPairs; k >= 0; --k) addDiskPair<kMaxBands>(sums, cone, kNodes[k].weight, kNodes[k].u, kNodes[k].v);
+  for (int k = kPairs; k >= 0; --k) {
+    const NodePair& at = kNodes[k];
+    addDiskNodes<kMaxBands>(sums, diskNode(cone, at.weight, at.u), diskNode(cone, at.weight, at.v));
+  }
   return diskMomentsOf<kMaxBands>(sums, cone);
 }
 

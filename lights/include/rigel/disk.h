@@ -1,12 +1,13 @@
 // SH of disk lights by the method one asks for; project.h has the usual one, six nodes. All of them see the light in
 // its bisector frame (shader_disk.h), where a disk has few coefficients and those are smooth: they differ in how the
-// coefficients are integrated. Per ||q||, over distances of 1e-3 to 1e4 radii and all angles:
+// coefficients are integrated. Error per ||q||, over distances of 1e-3 to 1e4 radii and all angles; what is left of it
+// with eight nodes is float's rounding:
 //
 //   | nodes | rim farther than 1e-2 R | than 1e-3 R |
 //   |---|---|---|
-//   | 4 | 7e-4 | 3e-3 |
-//   | 6 | 4e-5 | 4e-4 |
-//   | 8 | 9e-6 | 2e-4 |
+//   | 4 | 6e-5 | 3e-4 |
+//   | 6 | 4e-7 | 2e-6 |
+//   | 8 | 3e-7 | 3e-7 |
 //
 // One-sided disks give no light behind and in their plane; their SH jump there from what the front of the face sees.
 // NaN, a missing direction or radius, an infinite distance: no light. Held to kMaxProjectionScale (project.h).
@@ -23,7 +24,7 @@ namespace rigel {
 /// How the SH of a disk light are found: by Gauss-Legendre quadrature, from tables (disk_table.h), or in double.
 enum class DiskMethod { quadrature, table, exact };
 
-/// Nodes of the quadrature over a quarter of the rim.
+/// Nodes of the quadrature over a quarter of the rim (shader_disk.h).
 enum class DiskNodes { four = 4, six = 6, eight = 8 };
 
 /// As project<B>(DiskLight) of project.h, which takes six nodes.
