@@ -127,13 +127,9 @@ class WrapContour {
 
   double irradiance() const noexcept {
     if (d_.sy < kSmall) return flat();
-    const double tolerance = kTolerance * peak_;
-    const auto folded = [&](double psi) noexcept { return quadrants(psi); };
-    double sum = 0;
-    for (int i = 0; i < 2; ++i) {
-      sum += detail::integrateAdaptive(folded, i * kPi / 4, (i + 1) * kPi / 4, tolerance, kMaxDepth);
-    }
-    return std::max(0.0, sum);
+    double cuts[kSamples];
+    const int count = horizonCuts(cuts);
+    return std::max(0.0, count > 0 ? pieces(cuts, count) : wholeRim());
   }
 
  private:
@@ -147,20 +143,102 @@ class WrapContour {
     return 2 * d_.sx * d_.sy * detail::integrateAdaptive(slice, -top, top, kTolerance, kMaxDepth);
   }
 
-  double quadrants(double psi) const noexcept {
-    const double c = std::cos(psi);
-    const double s = std::sin(psi);
-    const double q = std::sqrt(c * c + square(d_.u * s));
+  /// Both quarters of the rim that the mirror planes leave, and their images.
+  double wholeRim() const noexcept {
+    const auto folded = [&](double psi) noexcept {
+      const Rim rim = rimAt(psi);
+      const double x = d_.sx * rim.cosine * d_.nx;
+      const double y = d_.sy * rim.sine * d_.ny;
+      return 4 * rim.whole + bend(rim.level + x + y) * (rim.kz - rim.kx - rim.ky) +
+             bend(rim.level + x - y) * (rim.kz - rim.kx + rim.ky) +
+             bend(rim.level - x + y) * (rim.kz + rim.kx - rim.ky) +
+             bend(rim.level - x - y) * (rim.kz + rim.kx + rim.ky);
+    };
+    const double quarter = 0.5 * kPi;
+    const double tolerance = kTolerance * peak_;
+    const double ends = 0.5 * (folded(0.0) + folded(quarter));
+    if (const auto sum = detail::integratePeriodic(folded, 0.0, quarter, tolerance, ends)) return *sum;
+    return detail::integrateAdaptive(folded, 0.0, quarter, tolerance, kMaxDepth);
+  }
+
+  /// Cut where the horizon crosses the rim, where the integrand has a kink: psi moves away from there as the cube.
+  double pieces(const double* cuts, int count) const noexcept {
+    double sum = 0;
+    for (int i = 0; i < count; ++i) {
+      const double lo = cuts[i];
+      const double width = (i + 1 < count ? cuts[i + 1] : cuts[0] + 2 * kPi) - lo;
+      const auto graded = [&](double v) noexcept {
+        const double psi = lo + width * v * v * v * (10 + v * (6 * v - 15));
+        const Rim rim = rimAt(psi);
+        const double x = rim.level + d_.sx * rim.cosine * d_.nx + d_.sy * rim.sine * d_.ny;
+        return (rim.whole + bend(x) * (rim.kz - rim.kx - rim.ky)) * width * 30 * square(v * (1 - v));
+      };
+      sum += detail::integrateAdaptive(graded, 0.0, 0.5, kTolerance * peak_, kMaxDepth) +
+             detail::integrateAdaptive(graded, 0.5, 1.0, kTolerance * peak_, kMaxDepth);
+    }
+    return sum;
+  }
+
+  /// psi where x = -a, ascending; of a pair closer than the samples none, which costs the quadrature time, no digits.
+  int horizonCuts(double* cuts) const noexcept {
+    const auto above = [&](double psi) noexcept {
+      const double c = std::cos(psi);
+      const double s = std::sin(psi);
+      return d_.cx * std::sqrt(c * c + square(d_.u * s)) * d_.nz + d_.sx * c * d_.nx + d_.sy * s * d_.ny + a_;
+    };
+    const double step = 2 * kPi / kSamples;
+    int count = 0;
+    double hi = above(0.0);
+    for (int i = 0; i < kSamples; ++i) {
+      const double lo = hi;
+      hi = above((i + 1) * step);
+      if ((lo > 0) == (hi > 0)) continue;
+      cuts[count++] = rootBetween(above, i * step, lo, (i + 1) * step, hi);
+    }
+    return count;
+  }
+
+  /// The regula falsi, an end that stays put counting half (Illinois).
+  template <class Function>
+  static double rootBetween(const Function& f, double lo, double atLo, double hi, double atHi) noexcept {
+    double root = 0.5 * (lo + hi);
+    int side = 0;
+    for (int i = 0; i < 40 && std::abs(hi - lo) > 1e-14; ++i) {
+      root = (lo * atHi - hi * atLo) / (atHi - atLo);
+      const double value = f(root);
+      if (value == 0) break;
+      if ((value > 0) == (atHi > 0)) {
+        hi = root;
+        atHi = value;
+        if (side < 0) atLo *= 0.5;
+        side = -1;
+      } else {
+        lo = root;
+        atLo = value;
+        if (side > 0) atHi *= 0.5;
+        side = 1;
+      }
+    }
+    return root;
+  }
+
+  /// What the integrand has at w(psi): `whole` is F/2 of the solid angle's, k = kz - kx - ky, level = cx q nz.
+  struct Rim {
+    double cosine, sine, level, whole, kx, ky, kz;
+  };
+
+  Rim rimAt(double psi) const noexcept {
+    Rim rim;
+    rim.cosine = std::cos(psi);
+    rim.sine = std::sin(psi);
+    const double q = std::sqrt(square(rim.cosine) + square(d_.u * rim.sine));
     const double perQ = q > 0 ? 1 / q : 0;
-    const double kz = d_.sx * d_.sy * d_.nz;
-    const double kx = d_.sy * d_.cx * d_.nx * c * perQ;
-    const double ky = d_.sx * d_.cx * square(d_.u) * d_.ny * s * perQ;
-    const double level = d_.cx * q * d_.nz;
-    const double x = d_.sx * c * d_.nx;
-    const double y = d_.sy * s * d_.ny;
-    return 2 * whole_ * d_.sx * d_.sy / (1 + d_.cx * q) + bend(level + x + y) * (kz - kx - ky) +
-           bend(level + x - y) * (kz - kx + ky) + bend(level - x + y) * (kz + kx - ky) +
-           bend(level - x - y) * (kz + kx + ky);
+    rim.level = d_.cx * q * d_.nz;
+    rim.whole = 0.5 * whole_ * d_.sx * d_.sy / (1 + d_.cx * q);
+    rim.kx = d_.sy * d_.cx * d_.nx * rim.cosine * perQ;
+    rim.ky = d_.sx * d_.cx * square(d_.u) * d_.ny * rim.sine * perQ;
+    rim.kz = d_.sx * d_.sy * d_.nz;
+    return rim;
   }
 
   /// M(x).
@@ -175,9 +253,10 @@ class WrapContour {
     return whole_ * (0.5 - (below > 0 ? below / (1 + x) : 0)) / (1 - x);
   }
 
-  static constexpr double kTolerance = 1e-9;  // of the peak pi sx sy
+  static constexpr double kTolerance = 1e-8;  // of the peak pi sx sy, for each panel
   static constexpr double kSmall = 1e-5;
   static constexpr int kMaxDepth = 40;
+  static constexpr int kSamples = 16;
 
   DiskPose d_;
   double a_;

@@ -72,13 +72,15 @@ double integrateAdaptive(const Function& f, double lo, double hi, double toleran
          integrateAdaptive(f, middle, hi, tolerance, maxDepth - 1);
 }
 
-/// Integral over [lo, hi] of a function that vanishes at both ends and whose mirrored continuation is smooth and
-/// periodic: there the trapezoidal rule converges faster than any power. Doubles from 4 intervals, up to 64, until the
-/// change between the last sums, falling on as it fell before, is within `tolerance`; empty where it never is.
+/// Integral over [lo, hi] of a function whose mirrored continuation is smooth and periodic, `ends` the mean of its
+/// values at the ends: there the trapezoidal rule converges faster than any power. Doubles from 4 intervals, up to 64,
+/// until the change between the last sums, falling on as it fell before, is within `tolerance`; empty where it never
+/// is.
 template <class Function>
-std::optional<double> integratePeriodic(const Function& f, double lo, double hi, double tolerance) noexcept {
+std::optional<double> integratePeriodic(const Function& f, double lo, double hi, double tolerance,
+                                        double ends = 0) noexcept {
   double step = 0.25 * (hi - lo);
-  double sum = f(lo + step) + f(lo + 2 * step) + f(lo + 3 * step);
+  double sum = ends + f(lo + step) + f(lo + 2 * step) + f(lo + 3 * step);
   double lastChange = 0;
   for (int intervals = 4; intervals < 64; intervals *= 2) {
     double between = 0;
