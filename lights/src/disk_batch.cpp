@@ -33,6 +33,7 @@ HWY_NOINLINE void viewBlock(const DiskBatchLight& light, const float* x, const f
     kept.cone.cx2 = view.cone.cx2;
     kept.cone.sy2 = view.cone.sy2;
     kept.cone.cy2 = view.cone.cy2;
+    kept.cone.cx = view.cone.cx;
     kept.flux = view.flux;
     kept.xx = view.xx;
     kept.xy = view.xy;
