@@ -1,8 +1,10 @@
 // Many points against one disk light in vectors: on every instruction set of this machine, what the scalar functions
 // give.
+#define HWY_DISABLED_TARGETS HWY_SSSE3  // as the library
+#include <hwy/targets.h>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 #include <rigel/disk_batch.h>
 #include <rigel/near_light.h>
 
@@ -22,11 +24,10 @@ using reference::Worst;
 using test::describe;
 using test::Random;
 
-// Relative to the norm of the SH vector. Worst measured 1.1e-6, of 5 bands 2.3e-6: the scalar functions form their
-// geometry in double, the vectors only what cancels.
-constexpr double kShTolerance = 3e-6;
-// Relative to the peak over normals. Worst measured 1.1e-6, for the same reason.
-constexpr double kIrradianceTolerance = 3e-6;
+// Relative to the norm of the SH vector, and to the peak over normals. Worst measured 1.1e-6 and 1.2e-6: the scalar
+// functions form their geometry in double, the vectors only what cancels.
+constexpr double kShTolerance = 2e-6;
+constexpr double kIrradianceTolerance = 2e-6;
 
 constexpr DiskNodes kNodes[] = {DiskNodes::four, DiskNodes::six, DiskNodes::eight};
 constexpr float kUntouched = -12345;
@@ -80,12 +81,12 @@ DiskLight randomDisk(Random& random) {
   return light;
 }
 
-/// Anywhere, near the axis, on the face, at the rim, near the plane or very far; in front and behind.
+/// Anywhere, on the axis or near it, on the face, at the rim, near the plane or very far; in front and behind.
 Vec3 hardPoint(Random& random, const DiskLight& light) {
   double rho = random.logUniform(1e-3, 1e4), z = random.logUniform(1e-3, 1e4);
   switch (random.index(6)) {
     case 0:
-      rho = random.logUniform(1e-4, 1e-2) * z;
+      rho = random.index(2) == 0 ? 0 : random.logUniform(1e-9, 1e-2) * z;
       break;
     case 1:
       z = random.logUniform(1e-6, 1e-2);
@@ -168,27 +169,6 @@ TEST(DiskBatch, ShOf2Bands) { compareAllNodes<2>(); }
 TEST(DiskBatch, ShOf3Bands) { compareAllNodes<3>(); }
 TEST(DiskBatch, ShOf4Bands) { compareAllNodes<4>(); }
 TEST(DiskBatch, ShOf5Bands) { compareAllNodes<5>(); }
-
-// On the axis any X will do, and vectors may choose another than scalars: what the nodes get wrong in (4, 4) turns with
-// it. Worst measured: 1.6e-3, 9.9e-7, 5.9e-7.
-TEST(DiskBatch, OnTheAxis) {
-  constexpr double kTolerances[] = {2e-3, 2e-5, 3e-6};
-  onEveryTarget([&] {
-    for (int i = 0; i < 3; ++i) {
-      Worst worst("disk SH in vectors on the axis, nodes " + std::to_string(static_cast<int>(kNodes[i])));
-      Random random(404);
-      for (int k = 0; k < 200; ++k) {
-        const DiskLight light = randomDisk(random);
-        const Vec3 axis = light.direction * (light.radius / length(light.direction));
-        Rows rows;
-        for (int j = 0; j < 20; ++j)
-          rows.add(light.position + axis * static_cast<float>(random.logUniform(1e-3, 1e3)), random.direction());
-        compareSh<5>(worst, light, rows, kNodes[i]);
-      }
-      worst.expectWithin(kTolerances[i]);
-    }
-  });
-}
 
 TEST(DiskBatch, Irradiance) {
   onEveryTarget([] {
