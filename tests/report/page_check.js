@@ -193,6 +193,33 @@
     }
   }
 
+  /** A card for each scene with disk lights: a row a method, and each disk with its reason under the rig chosen. */
+  function checkDisks() {
+    const scenes = data.scenes.filter((scene) => scene.disks);
+    const cards = all(document, 'section.disks');
+    equal(cards.length, scenes.length, 'scenes with disks');
+    for (const [i, {disks}] of scenes.entries()) {
+      const methods = all(cards[i], '.disk-methods tbody tr');
+      equal(methods.map((row) => row.querySelector('.name').firstChild.textContent).join('|'), disks.methods.map(({method}) => method).join('|'), 'methods');
+      equal(methods.map((row) => row.querySelector('td').textContent === '–').join('|'), disks.methods.map(({sh}) => sh === null).join('|'), 'a dash where a method has no SH');
+      equal(cards[i].querySelector('.verdict').textContent, disks.choice, 'choice');
+      const groups = [...new Set(disks.uses.map((use) => `${use.object}, ${use.rig}`))];
+      const buttons = all(cards[i], '[aria-label="Rig"] button');
+      equal(buttons.length, groups.length > 1 ? groups.length : 0, 'rigs with disks');
+      for (const [g, group] of groups.entries()) {
+        buttons[g]?.click();
+        const uses = disks.uses.filter((use) => `${use.object}, ${use.rig}` === group);
+        const rows = all(cards[i], '.light-use tbody tr');
+        equal(rows.length, uses.length, 'disks');
+        for (const row of rows) {
+          const use = uses.find(({light}) => light === row.querySelector('.name').textContent);
+          equal(all(row, 'td').map((cell) => cell.textContent).join('|'), `${use?.method}|${use?.why}`, 'method and reason');
+        }
+        equal(rows[0].querySelector('.text').textContent.startsWith('near'), uses.some(({method}) => method.startsWith('near')), 'near disks first');
+      }
+    }
+  }
+
   async function run() {
     await drawn();
     const sections = all(document, 'section.object');
@@ -210,6 +237,7 @@
       if (sections[i].querySelector('.light-use')) checkLights(sections[i], object);
     }
     checkBudgets();
+    checkDisks();
     const root = document.documentElement;
     const theme = document.getElementById('theme');
     theme.click();

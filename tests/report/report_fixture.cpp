@@ -172,6 +172,23 @@ ObjectReport object(const std::string& name, int frames, double scale, const std
   return result;
 }
 
+tools::DiskReport diskReport() {
+  tools::DiskReport disks;
+  disks.pairs = 3120;
+  disks.methods = {
+      {"table", "two textures of 32 x 32, float", tools::ErrorFigures{2.1e-5, 1.6e-4}, {0.021, 0.09}, 52.1},
+      {"quadrature-6", "6 nodes, float", tools::ErrorFigures{4.1e-7, 3.9e-5}, {0.021, 0.09}, 43.7},
+      {"near", "closed form, float", std::nullopt, {2.2e-7, 9.4e-7}, 61.3},
+      {"wallace", "Wallace, Elmquist, Haines 1989", std::nullopt, {0.11, 0.87}, 9.2}};
+  disks.choice = "Rigs project disks by quadrature with 6 nodes.";
+  for (const char* rig : {"constant", "auto"}) {
+    disks.uses.push_back({"washer 1", "car", rig, "none", "culled: it gives this object nothing in any frame"});
+    disks.uses.push_back({"washer 2", "car", rig, "quadrature-6", "far: in the rig by 6 nodes"});
+    disks.uses.push_back({"sconce 4", "car", rig, rig[0] == 'a' ? "near, quadrature-6" : "quadrature-6", "close"});
+  }
+  return disks;
+}
+
 /// Pictures take a quarter of a second: made once.
 Report makeReport() {
   Report report;
@@ -191,6 +208,7 @@ Report makeReport() {
                    {"neon", "point", "I 40 40 36 W/sr, radius 0.05 m"}};
   for (int i = 3; i < 60; ++i) street.lights.push_back({"window " + std::to_string(i), "point", "I 1 1 1 W/sr"});
   street.objects = {object("car", 61, 1.0, street.lights)};
+  street.disks = diskReport();
 
   SceneReport still;
   still.scene = "characters/soldier1.gltf";
@@ -251,6 +269,8 @@ Report hostileReport() {
   scene.notes = {kHostileMarkup, "escape \x1b[2J bell \a"};
   scene.lights.front().name = "\xFF\xC3 no UTF-8 \xED\xA0\x80";
   scene.lights.front().summary = kHostileMarkup;
+  scene.disks->uses.front().light = kHostileMarkup;
+  scene.disks->uses.front().object = kHostileMarkup;
   scene.objects.front().name = kHostileMarkup;
   scene.objects.front().rigs.front().spec = kHostileSpec;
   for (Picture& shown : scene.objects.front().pictures)

@@ -73,6 +73,26 @@ TEST(ReportJson, KeepsEveryValueToTheLastBit) {
   EXPECT_EQ(written["frames"][60]["near"], Json::array());
 }
 
+TEST(ReportJson, DisksAreASectionOfScenesThatHaveThem) {
+  const Json json = parsedReport(madeUpReport());
+  EXPECT_FALSE(json["scenes"][1].contains("disks"));
+  const Json& disks = json["scenes"][0]["disks"];
+  EXPECT_THAT(keys(disks), testing::IsSupersetOf(
+                               {"pairs", "sh_relative_to", "irradiance_relative_to", "methods", "choice", "uses"}));
+  ASSERT_EQ(disks["methods"].size(), 4u);
+  EXPECT_EQ(disks["methods"][1]["method"], "quadrature-6");
+  EXPECT_EQ(disks["methods"][1]["sh"]["max"], 3.9e-5);
+  EXPECT_EQ(disks["methods"][1]["irradiance"]["rms"], 0.021);
+  EXPECT_EQ(disks["methods"][1]["ns"], 43.7);
+  EXPECT_TRUE(disks["methods"][3]["sh"].is_null());
+  ASSERT_EQ(disks["uses"].size(), 6u);
+  EXPECT_EQ(disks["uses"][5], Json({{"light", "sconce 4"},
+                                    {"object", "car"},
+                                    {"rig", "auto"},
+                                    {"method", "near, quadrature-6"},
+                                    {"why", "close"}}));
+}
+
 TEST(ReportJson, FlattensScenesAndNamesThem) {
   const Json json = parsedReport(madeUpReport());
   EXPECT_EQ(json["objects"][0]["scene"], "sample:street");

@@ -46,6 +46,21 @@ TEST(ReportText, ColumnsLineUp) {
   EXPECT_EQ(text[6].substr(end - 2, 2), "64") << text[6];
 }
 
+TEST(ReportText, DisksHaveATableOfMethods) {
+  const std::string text = tools::reportText(madeUpReport());
+  EXPECT_THAT(text, HasSubstr("  disk lights: 3120 pairs of a disk and a surface sample"));
+  EXPECT_THAT(text, HasSubstr("  auto on car: 1 of 3 disks near at times (sconce 4)\n"));
+  EXPECT_THAT(text, HasSubstr("  constant on car: 0 of 3 disks near at times\n"));
+  const std::vector<std::string> all = lines(text);
+  const auto wallace =
+      std::ranges::find_if(all, [](const std::string& line) { return line.starts_with("    wallace"); });
+  ASSERT_NE(wallace, all.end());
+  EXPECT_THAT(*wallace, testing::MatchesRegex("    wallace +- +- +11 +87 +9\\.2"));
+  tools::Report none = madeUpReport();
+  none.scenes[0].disks.reset();
+  EXPECT_THAT(tools::reportText(none), Not(HasSubstr("disk lights")));
+}
+
 TEST(ReportText, AJumpThatWasNotMeasuredIsADash) {
   const tools::Report report = madeUpReport();
   ASSERT_FALSE(report.scenes[1].objects[0].rigs[0].maxJump);

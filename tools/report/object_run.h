@@ -30,6 +30,9 @@ class ObjectRun {
   /// In world space; whoever runs the frames poses it before `survey` and `measure`.
   PosedObject& posed() { return posed_; }
 
+  /// The points at which errors are measured.
+  const SurfaceSet& surface() const { return surface_; }
+
   /// Before the first frame is measured: what a few frames of the run give the object, for the scale of the errors that
   /// rigs expect and aim at.
   void survey(const LightSet& lights);

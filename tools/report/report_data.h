@@ -137,6 +137,29 @@ struct LightRow {
   std::string summary;  // "I 40 40 36 W/sr, radius 0.05 m"
 };
 
+/// One way to the light of a disk, measured at the scene's own pairs of a disk and a surface point that it lights.
+struct DiskMethodRow {
+  std::string method;              // "quadrature-6"; "near" and "wallace" give irradiance alone
+  std::string meaning;             // "6 nodes, float: what rigs use"
+  std::optional<ErrorFigures> sh;  // of the coefficients, relative to their norm
+  ErrorFigures irradiance;         // Lambert, relative to the peak over all normals that the disk gives at the point
+  double nanoseconds = 0;          // a disk and point, one at a time
+};
+
+/// What one rig of one object did with a disk.
+struct DiskUse {
+  std::string light, object, rig;
+  std::string method;  // of DiskMethodRow::method: "near", "quadrature-6", "near, quadrature-6", or "none"
+  std::string why;
+};
+
+struct DiskReport {
+  std::size_t pairs = 0;
+  std::vector<DiskMethodRow> methods;
+  std::string choice;  // why rigs and near lights use what they use, in a sentence
+  std::vector<DiskUse> uses;
+};
+
 struct SceneReport {
   std::string scene;       // as given on the command line
   std::string clip;        // "" for a still scene
@@ -148,6 +171,7 @@ struct SceneReport {
   std::vector<LightRow> lights;
   std::vector<ObjectReport> objects;
   std::vector<SharedBudget> budgets;  // one a rig that shares the frame's time
+  std::optional<DiskReport> disks;    // where the scene has disk lights
 };
 
 struct Report {

@@ -69,15 +69,39 @@ class Writer {
       lights.push_back({{"name", light.name}, {"type", light.type}, {"summary", light.summary}});
     Json budgets = Json::array();
     for (const SharedBudget& budget : report.budgets) budgets.push_back(sharedBudget(budget, report.objects.size()));
-    return {{"scene", report.scene},
-            {"clip", report.clip},
-            {"lights_from", report.lightsFrom},
-            {"frames", report.frames},
-            {"seconds", number(report.seconds, "seconds")},
-            {"effects", report.effects},
-            {"notes", report.notes},
-            {"lights", std::move(lights)},
-            {"budgets", std::move(budgets)}};
+    Json result = {{"scene", report.scene},
+                   {"clip", report.clip},
+                   {"lights_from", report.lightsFrom},
+                   {"frames", report.frames},
+                   {"seconds", number(report.seconds, "seconds")},
+                   {"effects", report.effects},
+                   {"notes", report.notes},
+                   {"lights", std::move(lights)},
+                   {"budgets", std::move(budgets)}};
+    if (report.disks) result["disks"] = disks(*report.disks);
+    return result;
+  }
+
+  Json disks(const DiskReport& report) {
+    Json methods = Json::array();
+    for (const DiskMethodRow& row : report.methods) {
+      methods.push_back({{"method", row.method},
+                         {"meaning", row.meaning},
+                         {"sh", row.sh ? figures(*row.sh, row.method + " sh") : Json(nullptr)},
+                         {"irradiance", figures(row.irradiance, row.method + " irradiance")},
+                         {"ns", number(row.nanoseconds, row.method + " ns")}});
+    }
+    Json uses = Json::array();
+    for (const DiskUse& use : report.uses) {
+      uses.push_back(
+          {{"light", use.light}, {"object", use.object}, {"rig", use.rig}, {"method", use.method}, {"why", use.why}});
+    }
+    return {{"pairs", report.pairs},
+            {"sh_relative_to", "norm of the coefficients"},
+            {"irradiance_relative_to", "peak over all normals of the disk's irradiance at the point"},
+            {"methods", std::move(methods)},
+            {"choice", report.choice},
+            {"uses", std::move(uses)}};
   }
 
   Json sharedBudget(const SharedBudget& budget, std::size_t objects) {

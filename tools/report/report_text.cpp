@@ -100,6 +100,44 @@ std::string budgetText(const SceneReport& scene, const SharedBudget& budget) {
   return text;
 }
 
+/// Errors of the better methods are too small for hundredths of a percent.
+std::string threeDigits(double relative) { return fmt::format("{:.2g}", 100 * relative); }
+
+/// What became of the disks near the object: "auto, bust: 3 of 28 disks near at times (sconce 4, ...)".
+std::string nearDisks(const DiskReport& disks, const ObjectReport& object, const std::string& rig) {
+  constexpr std::size_t kNamed = 6;
+  std::size_t all = 0;
+  std::vector<std::string> near;
+  for (const DiskUse& use : disks.uses) {
+    if (use.object != object.name || use.rig != rig) continue;
+    ++all;
+    if (use.method.starts_with("near")) near.push_back(printable(use.light));
+  }
+  std::string names;
+  for (std::size_t i = 0; i < std::min(kNamed, near.size()); ++i) names += (i > 0 ? ", " : "") + near[i];
+  if (near.size() > kNamed) names += ", ...";
+  return fmt::format("    {} on {}: {} of {} disks near at times{}\n", printable(rig), printable(object.name),
+                     near.size(), all, names.empty() ? "" : " (" + names + ")");
+}
+
+std::string diskText(const SceneReport& scene) {
+  const DiskReport& disks = *scene.disks;
+  std::string text = fmt::format(
+      "  disk lights: {} pairs of a disk and a surface sample; irradiance relative to the peak there, SH to their "
+      "norm\n",
+      disks.pairs);
+  std::vector<Row> rows = {{"  method", "SH RMS %", "max %", "irradiance RMS %", "max %", "ns"}};
+  for (const DiskMethodRow& row : disks.methods) {
+    rows.push_back({"  " + row.method, row.sh ? threeDigits(row.sh->rms) : "-", row.sh ? threeDigits(row.sh->max) : "-",
+                    threeDigits(row.irradiance.rms), threeDigits(row.irradiance.max),
+                    fmt::format("{:.1f}", row.nanoseconds)});
+  }
+  text += aligned(rows) + "  " + disks.choice + "\n";
+  for (const ObjectReport& object : scene.objects)
+    for (const RigReport& rig : object.rigs) text += nearDisks(disks, object, rig.spec);
+  return text;
+}
+
 }  // namespace
 
 std::string reportText(const Report& report) {
@@ -110,6 +148,7 @@ std::string reportText(const Report& report) {
       text += objectText(scene, object);
     }
     for (const SharedBudget& budget : scene.budgets) text += budgetText(scene, budget);
+    if (scene.disks) text += diskText(scene);
     for (const std::string& note : scene.notes) text += fmt::format("  note: {}\n", printable(note));
   }
   return text;

@@ -1,6 +1,8 @@
 #include "report/scene_run.h"
 
 #include "report/describe_lights.h"
+#include "report/disk_methods.h"
+#include "report/disk_words.h"
 #include "report/effects.h"
 #include "report/frame_budget.h"
 #include "report/gallery.h"
@@ -32,7 +34,8 @@ class SceneRun {
     std::vector<FrameBudget> budgets;
     for (std::size_t r = 0; r < options_.rigs.size(); ++r)
       if (options_.budget && chooses(options_.rigs[r], options_)) budgets.emplace_back(*options_.budget, r);
-    survey(timeline, stage, *runs);
+    DiskPairs disks(surveyed(timeline) * runs->size());
+    survey(timeline, stage, *runs, disks);
     for (std::size_t f = 0; f < timeline.frames.size(); ++f) {
       const int frame = timeline.frames[f];
       progress(0.8 * static_cast<double>(f) / static_cast<double>(timeline.frames.size()), title(timeline));
@@ -59,6 +62,7 @@ class SceneRun {
       for (float wrap : run.object().triangleWrap) wraps.push_back(options_.wrap.value_or(wrap));
     }
     for (const FrameBudget& budget : budgets) report.budgets.push_back(budget.report(options_));
+    if (!disks.pairs().empty()) report.disks = reportDisks(disks, *runs, report);
     report.effects = effectsOf(stage.lights().set, wraps, options_.rigs, report.objects);
 
     if (options_.images) {
@@ -93,17 +97,34 @@ class SceneRun {
     return runs;
   }
 
-  /// Shows the runs a few frames, spread over the timeline.
-  void survey(const Timeline& timeline, Stage& stage, std::vector<ObjectRun>& runs) const {
+  static std::size_t surveyed(const Timeline& timeline) {
     constexpr std::size_t kFrames = 64;
-    const std::size_t count = std::min(kFrames, timeline.frames.size());
+    return std::min(kFrames, timeline.frames.size());
+  }
+
+  /// Shows the runs a few frames, spread over the timeline.
+  void survey(const Timeline& timeline, Stage& stage, std::vector<ObjectRun>& runs, DiskPairs& disks) const {
+    const std::size_t count = surveyed(timeline);
     for (std::size_t k = 0; k < count; ++k) {
       stage.pose(timeline.frames[k * timeline.frames.size() / count]);
       for (ObjectRun& run : runs) {
         poseObject(scene_.scene(), run.object(), stage.nodes(), run.posed());
         run.survey(stage.lights().set);
+        disks.add(run.object(), run.posed(), run.surface(), stage.lights().set);
       }
     }
+  }
+
+  DiskReport reportDisks(const DiskPairs& disks, const std::vector<ObjectRun>& runs, const SceneReport& report) const {
+    DiskReport out;
+    out.pairs = disks.pairs().size();
+    out.methods = measureDiskMethods(disks.pairs(), options_.bands);
+    out.choice = diskChoice(out.methods);
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      const bool wraps = std::ranges::any_of(runs[i].surface().wrap, [](float wrap) { return wrap != 0; });
+      std::ranges::move(diskUses(report.objects[i], wraps), std::back_inserter(out.uses));
+    }
+    return out;
   }
 
   /// The worst frame of each object; the middle one too where there are few objects.

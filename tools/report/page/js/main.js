@@ -21,5 +21,5 @@ function objectSection(object, index) {
 setUpTheme();
 document.title = `Rigel report: ${[...new Set(report.objects.map((object) => object.name))].join(', ')}`;
 fillNavigation();
-document.getElementById('content').replaceChildren(overview(), ...report.objects.map(objectSection), ...report.scenes.map(sceneNotes), meaning(), colophon());
+document.getElementById('content').replaceChildren(overview(), ...report.objects.map(objectSection), ...report.scenes.filter((scene) => scene.disks).map(diskSection), ...report.scenes.map(sceneNotes), meaning(), colophon());
 if (location.hash) document.getElementById(location.hash.slice(1))?.scrollIntoView();
