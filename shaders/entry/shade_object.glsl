@@ -1,8 +1,8 @@
 // What every shader that lights an object shares: bindings, specialisation, and the sum of rig, high band and near
 // lights. Effects (shader_effects.h) are specialisation constants, all off unless asked for: what a scene lacks is
 // folded away by the driver. Tests compare with shaders that never had an effect: they declare its constant as false
-// (RIGEL_EFFECTS_DECLARED), define RIGEL_HAS_x accordingly and leave whole parts out by RIGEL_WITHOUT_x (highBand, near,
-// texture).
+// (RIGEL_EFFECTS_DECLARED), define RIGEL_HAS_x accordingly and leave whole parts out by RIGEL_WITHOUT_x (diskTable,
+// highBand, near, texture).
 #ifndef RIGEL_ENTRY_SHADE_OBJECT_GLSL
 #define RIGEL_ENTRY_SHADE_OBJECT_GLSL
 
@@ -46,6 +46,7 @@ bool hasNear(int kind) {
   if (kind == kGpuDirectional) return light_near_directional;
   if (kind == kGpuPoint) return light_near_point;
   if (kind == kGpuSpot) return light_near_spot;
+  if (kind == kGpuDisk) return light_near_disk;
   return light_near_sphere;
 }
 #ifndef RIGEL_HAS_KIND
@@ -55,6 +56,13 @@ bool hasNear(int kind) {
 #define RIGEL_HAS_NEAR(kind) hasNear(kind)
 #endif
 #define RIGEL_HAS_NEAR_WRAP light_near_wrap
+#define RIGEL_DISK_BY_QUADRATURE light_near_diskQuadrature
+#define RIGEL_DISK_BY_TABLE light_near_diskTable
+#ifndef RIGEL_WITHOUT_diskTable
+// One texture after the other, row by row.
+#define RIGEL_DISK_TEXEL(texture, x, y) \
+  texelFetch(diskTable, ((texture) * RIGEL_DISK_TABLE_SIZE + (y)) * RIGEL_DISK_TABLE_SIZE + (x))
+#endif
 
 #define RIGEL_VECTORS(rig) (kVectors > 0 ? kVectors : rig.vectors)
 #define RIGEL_RIG_TERM(rig, k) ((rig.terms[(k) >> 4][((k) >> 2) & 3] >> (8 * ((k)&3))) & 255)
@@ -74,6 +82,8 @@ layout(set = 0, binding = 2) uniform samplerBuffer nearLights;
 layout(set = 0, binding = 3) uniform sampler3D lattice;
 layout(set = 0, binding = 4, std140) uniform Object { GpuRig rig; };
 layout(set = 0, binding = 5, std140) uniform Material { GpuWrap wrap; };
+// 6 and 7 are of points.comp.
+layout(set = 0, binding = 8) uniform samplerBuffer diskTable;
 
 #include "rigel/high_band.glsl"
 #include "rigel/irradiance.glsl"
@@ -130,7 +140,8 @@ vec3 rigPart(vec3 p, vec3 n, GpuWrap own) {
 vec3 nearPart(vec3 p, vec3 n, GpuWrap own, int first, int count) {
   vec3 e = vec3(0.0);
 #ifndef RIGEL_WITHOUT_near
-  if (light_near_directional || light_near_point || light_near_spot || light_near_sphere) {
+  if (light_near_directional || light_near_point || light_near_spot || light_near_sphere ||
+      light_near_disk) {
     for (int i = first; i < first + count; ++i) e += rigel_nearIrradiance(nearLightAt(i), p, n, own);
   }
 #endif

@@ -68,7 +68,8 @@ std::string preludeWithout(Effects missing) {
                    {{Effect::light_near_directional, "kGpuDirectional"},
                     {Effect::light_near_point, "kGpuPoint"},
                     {Effect::light_near_spot, "kGpuSpot"},
-                    {Effect::light_near_sphere, "kGpuSphere"}},
+                    {Effect::light_near_sphere, "kGpuSphere"},
+                    {Effect::light_near_disk, "kGpuDisk"}},
                    "hasNear(k)");
   text += hasMacro("RIGEL_IS_KIND(rig, k)", missing,
                    {{Effect::rig_constant, "kGpuRigConstant"},
@@ -94,6 +95,13 @@ std::string preludeWithout(Effects missing) {
         "#define rigel_gaussIrradiance(source, rig, u, y) vec3(0.0)\n"
         "#define rigel_gaussSh(source, rig, u, sh)\n";
   if (!poly && !tensor) text += "#define RIGEL_OFFSET(rig) rig.offset\n";
+  if (missing.has(Effect::light_near_disk))
+    text +=
+        "#define RIGEL_NEAR_DISK_GLSL\n"
+        "#define rigel_nearDisk(light, p, n, wrap) 0.0\n"
+        "#define rigel_cheapDisk(light, p, n) 0.0\n"
+        "#define rigel_correctorDisk(light, p, n, wrap) 0.0\n";
+  if (missing.has(Effect::light_near_diskTable)) text += "#define RIGEL_WITHOUT_diskTable\n";
   if (missing.has(Effect::rig_texture)) text += "#define RIGEL_WITHOUT_texture\n";
   if (missing.has(Effect::rig_highBand)) text += "#define RIGEL_WITHOUT_highBand\n";
   const auto isMissing = [&](Effect effect) { return missing.has(effect); };
@@ -142,6 +150,12 @@ const Pair kPairs[] = {
     {Effect::light_near_sphere, {Effect::rig_poly, Effect::light_near_directional}},
     {Effect::light_near_sphere, {Effect::rig_poly}},
     {Effect::light_near_wrap, {Effect::rig_poly, Effect::material_wrap, Effect::light_near_sphere}},
+    {Effect::light_near_disk, {Effect::rig_poly, Effect::light_near_sphere}},
+    {Effect::light_near_disk, {Effect::rig_poly}},
+    {Effect::light_near_diskTable,
+     {Effect::rig_poly, Effect::material_wrap, Effect::light_near_disk, Effect::light_near_wrap}},
+    {Effect::light_near_diskQuadrature,
+     {Effect::rig_poly, Effect::material_wrap, Effect::light_near_disk, Effect::light_near_wrap}},
     {Effect::material_wrap, {Effect::rig_poly}},
     {Effect::rig_constant, {}},
     {Effect::rig_constant, {Effect::rig_poly, Effect::light_near_spot}},
@@ -211,6 +225,8 @@ TEST_P(EntryShader, CodeThatWasNeverThereIsNotOnlyOptimisedAway) {
   // The compiler's own output, before any specialisation, or the comparisons above would compare a thing with itself.
   const int all = instructionCount(without({}));
   EXPECT_LT(instructionCount(without(kNearEffects)), all - 200);
+  EXPECT_LT(instructionCount(without({Effect::light_near_disk})), all - 400);
+  EXPECT_LT(instructionCount(without({Effect::light_near_diskTable})), all - 50);
   EXPECT_LT(instructionCount(without({Effect::rig_poly, Effect::rig_invquad})), all - 200);
   EXPECT_LT(instructionCount(without({Effect::rig_tensor, Effect::rig_gauss})), all - 200);
   EXPECT_LT(instructionCount(without({Effect::rig_texture})), all - 30);
@@ -227,7 +243,7 @@ std::set<std::uint32_t> bindingsOf(const Words& words) {
 }
 
 TEST_P(EntryShader, BindsOnlyWhatItsEffectsRead) {
-  enum : std::uint32_t { kCoefficients, kGaussNodes, kNearLights, kLattice, kObject, kMaterial };
+  enum : std::uint32_t { kCoefficients, kGaussNodes, kNearLights, kLattice, kObject, kMaterial, kDiskTable = 8 };
   using ::testing::ElementsAre;
   const auto bindings = [&](Effects effects) {
     std::set<std::uint32_t> all = bindingsOf(specialised(shipped(), effects));
@@ -242,6 +258,10 @@ TEST_P(EntryShader, BindsOnlyWhatItsEffectsRead) {
   EXPECT_THAT(bindings({Effect::rig_texture}), ElementsAre(kLattice, kObject));
   EXPECT_THAT(bindings({Effect::light_near_sphere}), ElementsAre(kNearLights));
   EXPECT_THAT(bindings({Effect::light_near_spot, Effect::light_near_wrap}), ElementsAre(kNearLights, kMaterial));
+  const Effects disk{Effect::light_near_disk, Effect::light_near_wrap};
+  EXPECT_THAT(bindings(disk + Effect::light_near_diskQuadrature), ElementsAre(kNearLights, kMaterial));
+  EXPECT_THAT(bindings(disk + Effect::light_near_diskTable), ElementsAre(kNearLights, kMaterial, kDiskTable));
+  EXPECT_THAT(bindings({Effect::light_near_disk}), ElementsAre(kNearLights)) << "Lambert reads no table";
   EXPECT_THAT(bindings({Effect::rig_highBand}), ElementsAre(kCoefficients, kObject));
 }
 

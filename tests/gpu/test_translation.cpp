@@ -43,6 +43,10 @@ std::string head(Coefficients from, int bands) {
         "layout(std140, binding = 0) uniform Block { vec4 coefficients[512]; };\n"
         "#define RIGEL_SOURCE int\n#define RIGEL_FETCH(source, i) coefficients[source + i]\n";
   }
+  text +=
+      "layout(binding = 4) uniform sampler2D diskTable0;\nlayout(binding = 5) uniform sampler2D diskTable1;\n"
+      "#define RIGEL_DISK_TABLE(texture, uv) \\\n"
+      "  ((texture) == 0 ? textureLod(diskTable0, uv, 0.0) : textureLod(diskTable1, uv, 0.0))\n";
   std::set<std::string> files;
   for (const auto& entry : std::filesystem::directory_iterator(tools::shaderLibrary() / "rigel")) {
     files.insert(entry.path().filename().string());

@@ -27,15 +27,17 @@ class TwinCheck {
     gpu_.take(relativeError(gpuValue, exactValue, sumOfAbsoluteTerms), gpuValue, exactValue, describe);
   }
 
-  /// Fails when nothing was compared, or the shader's worst error is beyond twice the twin's worst. Prints both.
-  void expectWithinTwice() const {
+  // Where the twin happens to hit the truth, the shader may still round its result once.
+  static constexpr double kHalfUlp = 0x1p-24;
+
+  /// Fails when nothing was compared, or the shader's worst error is beyond both twice the twin's worst and `rounding`:
+  /// more than the default is for shaders that have float where the twin has double. Prints both.
+  void expectWithinTwice(double rounding = kHalfUlp) const {
     std::printf("%s: worst relative error %.3g (shader), %.3g (C++), of %lld numbers\n", name_.c_str(), gpu_.error,
                 twin_.error, comparisons_);
     EXPECT_GT(comparisons_, 0) << name_ << ": nothing was compared";
     EXPECT_TRUE(std::isfinite(twin_.error)) << name_ << ": the twin fails: " << twin_.text();
-    // Where the twin happens to hit the truth, the shader may still round its result once.
-    constexpr double kHalfUlp = 0x1p-24;
-    EXPECT_LE(gpu_.error, std::max(2 * twin_.error, kHalfUlp))
+    EXPECT_LE(gpu_.error, std::max(2 * twin_.error, rounding))
         << name_ << "\n  shader: " << gpu_.text() << "\n  C++: " << twin_.text();
   }
 

@@ -1,5 +1,6 @@
 #include "render/shading_buffers.h"
 
+#include <rigel/disk_table.h>
 #include <rigel/wrap.h>
 
 #include <algorithm>
@@ -98,6 +99,12 @@ std::optional<Error> ShadingBuffers::createBuffers(const GpuContext& context, co
   for (std::size_t i = 0; i < room.rigs.size(); ++i) {
     const Rig& rig = room.rigs[i]->rig();
     packGaussNodes(rig, gaussNodes_->as<GpuVec4>().subspan(places_[i].gaussOffset, packGaussNodesBound(rig)));
+  }
+  if (room.diskTable) {
+    if (auto error = make(diskTable_, BufferUse::texels, 2 * DiskTable::data(0).size_bytes())) return error;
+    for (const int texture : {0, 1})
+      std::ranges::copy(DiskTable::data(texture),
+                        diskTable_->as<float>().subspan(texture * DiskTable::data(0).size()).begin());
   }
   for (std::size_t i = 0; i < wraps_.size(); ++i) {
     const GpuWrap packed = gpuWrap(wraps_[i]);

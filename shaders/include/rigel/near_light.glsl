@@ -6,6 +6,7 @@
 #define RIGEL_NEAR_LIGHT_GLSL
 
 #include "rigel/float_pair.glsl"
+#include "rigel/near_disk.glsl"
 #include "rigel/shader_near_cap.h"
 
 #ifndef RIGEL_HAS_NEAR
@@ -24,9 +25,6 @@ struct RigelNearView {
   float scale;
   bool inside;
 };
-
-/// Not NaN, nor infinite. A minimum or maximum may turn NaN into a number, and `!` of a comparison may be rearranged.
-bool rigel_isNumber(float x) { return abs(x) <= 1e37f; }
 
 /// clamp(1-(d/R)^4, 0, 1)^2.
 float rigel_rangeWindow(float distanceOverRange) {
@@ -84,6 +82,7 @@ RigelNearView rigel_viewDirectional(GpuNearLight light, vec3 n) {
   return RigelNearView(clamp(x, -1.0f, 1.0f), 0.0f, 1.0f, rigel_isNumber(x) ? 1.0f : 0.0f, false);
 }
 
+/// Any light but a disk.
 RigelNearView rigel_viewNear(GpuNearLight light, vec3 p, vec3 n) {
   bool local = RIGEL_HAS_NEAR(kGpuPoint) || RIGEL_HAS_NEAR(kGpuSpot) || RIGEL_HAS_NEAR(kGpuSphere);
   if (RIGEL_HAS_NEAR(kGpuDirectional) && (!local || light.kind == kGpuDirectional)) {
@@ -98,9 +97,16 @@ vec3 rigel_scaledColour(GpuNearLight light, float factor) {
   return abs(factor) > 0.0f ? e : vec3(0.0f);
 }
 
+bool rigel_isDisk(GpuNearLight light) {
+  bool others = RIGEL_HAS_NEAR(kGpuDirectional) || RIGEL_HAS_NEAR(kGpuPoint) || RIGEL_HAS_NEAR(kGpuSpot) ||
+                RIGEL_HAS_NEAR(kGpuSphere);
+  return RIGEL_HAS_NEAR(kGpuDisk) && (!others || light.kind == kGpuDisk);
+}
+
 /// share * wrap.gain * irradiance [W/m2] at `p` with unit normal `n`: horizon clipped, window and cone at p, and inside
 /// a sphere the continuous extension. Errors as in near_light.h.
 vec3 rigel_nearIrradiance(GpuNearLight light, vec3 p, vec3 n, GpuWrap wrap) {
+  if (rigel_isDisk(light)) return rigel_scaledColour(light, rigel_nearDisk(light, p, n, wrap));
   RigelNearView view = rigel_viewNear(light, p, n);
   // Inside: the whole sphere less a cap on the other side.
   float x = view.inside ? -view.x : view.x;
@@ -117,8 +123,10 @@ vec3 rigel_nearIrradiance(GpuNearLight light, vec3 p, vec3 n, GpuWrap wrap) {
   return rigel_scaledColour(light, view.scale * e);
 }
 
-/// Lambert without inverse function: within 0.5 % of the peak for r/d <= 0.7, 1.3 % at any distance.
+/// Lambert without inverse function: within 0.5 % of the peak for r/d <= 0.7, 1.3 % at any distance; disks as in
+/// near_light.h.
 vec3 rigel_cheapIrradiance(GpuNearLight light, vec3 p, vec3 n) {
+  if (rigel_isDisk(light)) return rigel_scaledColour(light, rigel_cheapDisk(light, p, n));
   RigelNearView view = rigel_viewNear(light, p, n);
   float e = rigel_lambertCapCheap(view.inside ? -view.x : view.x, max(view.s, 1e-6f), view.c);
   if (view.inside) e = 1.0f - view.s * view.s * e;
@@ -127,6 +135,7 @@ vec3 rigel_cheapIrradiance(GpuNearLight light, vec3 p, vec3 n) {
 
 /// What 3-band SH leave out of the light: to be added where the light itself is in a rig. May be negative.
 vec3 rigel_correctorIrradiance(GpuNearLight light, vec3 p, vec3 n, GpuWrap wrap) {
+  if (rigel_isDisk(light)) return rigel_scaledColour(light, rigel_correctorDisk(light, p, n, wrap));
   RigelNearView view = rigel_viewNear(light, p, n);
   float share = view.inside ? 0.0f : rigel_highBandShare(view.s * view.s);
   return rigel_scaledColour(light, view.scale * share * rigel_kernelAboveBand2(view.x, wrap));
