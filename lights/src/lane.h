@@ -8,6 +8,9 @@
 #endif
 
 #include <cstddef>
+#include <cstdint>
+
+#include "lane_packing.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rigel::HWY_NAMESPACE {
@@ -20,12 +23,14 @@ struct LaneMaskOf {
 
   friend HWY_INLINE LaneMaskOf operator&&(LaneMaskOf a, LaneMaskOf b) noexcept { return {hn::And(a.mask, b.mask)}; }
   friend HWY_INLINE LaneMaskOf operator||(LaneMaskOf a, LaneMaskOf b) noexcept { return {hn::Or(a.mask, b.mask)}; }
+  friend HWY_INLINE std::size_t count(LaneMaskOf a) noexcept { return hn::CountTrue(Tag(), a.mask); }
   friend HWY_INLINE bool all(LaneMaskOf a) noexcept { return hn::AllTrue(Tag(), a.mask); }
 };
 
 /// `Tag`: hn::ScalableTag<float> and the like.
-template <class Tag>
+template <class AnyTag>
 struct LaneOf {
+  using Tag = AnyTag;
   using Scalar = hn::TFromD<Tag>;
   static constexpr std::size_t kCount = hn::MaxLanes(Tag());
 
@@ -67,6 +72,34 @@ struct LaneOf {
 
 using DoubleTag = hn::ScalableTag<double>;
 using Lane = LaneOf<hn::ScalableTag<float>>;
+using LaneMask = Lane::Mask;
+
+/// Stores the lanes where a mask is set one behind the other. A store writes a whole vector.
+class LanePacker {
+ public:
+#if HWY_TARGET == HWY_AVX2
+  // Of Highway 1.0's Compress GCC copies the table to the stack at every call, which takes longer than all else.
+  HWY_INLINE explicit LanePacker(LaneMask where) noexcept : order_(orderOf(where)) {}
+  HWY_INLINE void store(Lane x, float* to) const noexcept { Lane(hn::TableLookupLanes(x.v, order_)).store(to); }
+
+ private:
+  using Order = decltype(hn::SetTableIndices(Lane::Tag(), static_cast<const std::int32_t*>(nullptr)));
+
+  HWY_INLINE static Order orderOf(LaneMask where) noexcept {
+    std::uint8_t set[8];
+    hn::StoreMaskBits(Lane::Tag(), where.mask, set);
+    return hn::SetTableIndices(Lane::Tag(), kLanePackings[set[0]].data());
+  }
+
+  Order order_;
+#else
+  HWY_INLINE explicit LanePacker(LaneMask where) noexcept : where_(where) {}
+  HWY_INLINE void store(Lane x, float* to) const noexcept { Lane(hn::Compress(x.v, where_.mask)).store(to); }
+
+ private:
+  LaneMask where_;
+#endif
+};
 using DoubleLane = LaneOf<DoubleTag>;
 
 /// As many floats as a DoubleLane has numbers.
