@@ -26,9 +26,12 @@ struct Case {
   int bands = 3;
   RigStorage storage = RigStorage::float32;
   float totalError = 0;  // what `auto` aims at
+  bool disks = false;    // the lamps are disks
+  Effect wrappedDisk = kWrappedDisk;
 };
 
 const std::vector<Case>& cases() {
+  constexpr RigStorage kFloats = RigStorage::float32;
   static const std::vector<Case> all{
       {"gpu.constant", "constant"},
       {"gpu.gradient", "gradient"},
@@ -50,6 +53,13 @@ const std::vector<Case>& cases() {
       {"gpu.poly6.near8", "poly:6", 8},
       {"gpu.poly6.wrap", "poly:6", 0, 0.3f},
       {"gpu.poly6.near2.wrap", "poly:6", 2, 0.3f},
+      {"gpu.poly6.disks", "poly:6", 0, 0, 3, kFloats, 0, true},
+      {"gpu.poly6.disks.near1", "poly:6", 1, 0, 3, kFloats, 0, true},
+      {"gpu.poly6.disks.near2", "poly:6", 2, 0, 3, kFloats, 0, true},
+      {"gpu.poly6.disks.wrap", "poly:6", 0, 0.3f, 3, kFloats, 0, true},
+      {"gpu.poly6.disks.near2.wrap.quadrature", "poly:6", 2, 0.3f, 3, kFloats, 0, true,
+       Effect::light_near_diskQuadrature},
+      {"gpu.poly6.disks.near2.wrap.table", "poly:6", 2, 0.3f, 3, kFloats, 0, true, Effect::light_near_diskTable},
       {"gpu.poly6.bands2", "poly:6", 0, 0, 2},
       {"gpu.poly6.bands4", "poly:6", 0, 0, 4},
       {"gpu.poly6.bands5", "poly:6", 0, 0, 5},
@@ -64,6 +74,7 @@ struct CarInFrame {
   SceneObject object;
   PosedObject rest, posed;
   PosedLights lights;
+  LightSet disks;  // the lamps with faces of 0.3 m
 
   CarInFrame() {
     for (const SceneObject& candidate : findObjects(scene))
@@ -74,6 +85,11 @@ struct CarInFrame {
     poseScene(scene, 0, kTime, pose);
     poseObject(scene, object, pose, posed);
     poseLights(scene, pose, lights);
+    constexpr float kFace = 0.3f;
+    for (int i = 0; i < lights.set.spotCount(); ++i) {
+      const SpotLight lamp = lights.set.spot(i);
+      disks.add(DiskLight{lamp.position, lamp.direction, kFace, lamp.intensity * (1 / (float(kPi) * kFace * kFace))});
+    }
   }
 
   std::vector<PointAndNormal> points(const std::vector<SurfacePoint>& on) const {
@@ -111,13 +127,15 @@ class Measured {
     auto rig = makeRigRunner(spec, asked, wanted.bands, car.object, car.rest, *surface);
     if (!rig) return rig.error();
     out.rig_ = *std::move(rig);
-    out.rig_->fit(car.object, car.posed, car.lights.set, 0);
+    const LightSet& lights = wanted.disks ? car.disks : car.lights.set;
+    out.rig_->fit(car.object, car.posed, lights, 0);
 
-    auto shader = PointShader::create(context, *out.rig_, {&wanted.wrap, 1}, wanted.storage, points.size());
+    auto shader =
+        PointShader::create(context, *out.rig_, {&wanted.wrap, 1}, wanted.storage, points.size(), wanted.wrappedDisk);
     if (!shader) return shader.error();
     out.shader_ = std::make_unique<PointShader>(*std::move(shader));
     Truth truth;
-    truth.update(car.object, car.posed, *surface, car.lights.set, wanted.bands);
+    truth.update(car.object, car.posed, *surface, lights, wanted.bands);
     std::vector<RigRunner::Shaded> shaded(truth.points.size());
     if (const auto first = out.shader_->shade(*out.rig_, truth.points, surface->wrap, shaded); !first)
       return first.error();
