@@ -68,11 +68,13 @@ double atanRest(double x) noexcept {
   return 1.0 / 3 - q * (1.0 / 5 - q * (1.0 / 7 - q * (1.0 / 9 - q * (1.0 / 11 - q * (1.0 / 13 - q / 15)))));
 }
 
-/// (atanh y - y) / y^3.
-double atanhRest(double y) noexcept {
-  if (y > 0.1) return (std::atanh(y) - y) / (y * y * y);
-  const double q = y * y;
-  return 1.0 / 3 + q * (1.0 / 5 + q * (1.0 / 7 + q * (1.0 / 9 + q * (1.0 / 11 + q * (1.0 / 13 + q / 15)))));
+/// (atanh y - y) / y^3 for y = (q-p)/(q+p): near the rim y rounds to 1, p keeps its digits.
+double atanhRest(double y, double p, double q) noexcept {
+  if (y > 0.1) return (0.5 * std::log(q / std::max(p, 1e-300)) - y) / (y * y * y);
+  const double square = y * y;
+  return 1.0 / 3 +
+         square * (1.0 / 5 +
+                   square * (1.0 / 7 + square * (1.0 / 9 + square * (1.0 / 11 + square * (1.0 / 13 + square / 15)))));
 }
 
 /// Lambert per unit radiance, clipped at the horizon; derived in shader_disk_irradiance.h.
@@ -95,7 +97,9 @@ double lambertDisk(const DiskPose& d) noexcept {
   const double cc = (cosF * cosPhi - sinF * sinPhi) * (cosF * cosPhi + sinF * sinPhi);
   const double tau = t2 * sinPhi * sinPhi;
   const double atX = u2 + t2 * ss;
-  const double atY = u2 * cosF * cosF + sinF * sinF + tau;
+  const double p = u2 * cosF * cosF + square(sinF - d.t * sinPhi);
+  const double q = u2 * cosF * cosF + square(sinF + d.t * sinPhi);
+  const double atY = 0.5 * (p + q);
   const double atHorizon = u2 * (d.cx * d.cx + d.sx * d.sx * cc) + d.sy * d.sy * ss;
   const double horizon = 2 * sinPhi * d.sx * d.u * d.sy * d.cy / a;
   const double x = 2 * d.u * sinPhi * cosF;
@@ -105,7 +109,7 @@ double lambertDisk(const DiskPose& d) noexcept {
   const double arc = d.sx * d.sy * d.nz * (cosPhi > 0 ? half : 2 * kPi - half);
   const double scaleX = d.sy * d.cx * d.nx;
   const double scaleY = d.sx * d.cx * u2 * d.ny;
-  const double restY = scaleY * y * square(d.t * y) * atanhRest(d.t * y);
+  const double restY = scaleY * y * square(d.t * y) * atanhRest(d.t * y, p, q);
   if (horizon < atHorizon && d.t * x < atX) {
     const double v = horizon / atHorizon;
     const double perX = x / atX;
@@ -123,7 +127,7 @@ double lambertDisk(const DiskPose& d) noexcept {
 class WrapContour {
  public:
   WrapContour(const DiskPose& pose, double a) noexcept
-      : d_(pose), a_(a), whole_((1 + a) / (2 + a)), power_(2 + a), peak_(kPi * pose.sx * pose.sy) {}
+      : d_(pose), a_(a), whole_((1 + a) / (2 + a)), power_(2 + a), tolerance_(toleranceOf(pose)) {}
 
   double irradiance() const noexcept {
     if (d_.sy < kSmall) return flat();
@@ -155,10 +159,9 @@ class WrapContour {
              bend(rim.level - x - y) * (rim.kz + rim.kx + rim.ky);
     };
     const double quarter = 0.5 * kPi;
-    const double tolerance = kTolerance * peak_;
     const double ends = 0.5 * (folded(0.0) + folded(quarter));
-    if (const auto sum = detail::integratePeriodic(folded, 0.0, quarter, tolerance, ends)) return *sum;
-    return detail::integrateAdaptive(folded, 0.0, quarter, tolerance, kMaxDepth);
+    if (const auto sum = detail::integratePeriodic(folded, 0.0, quarter, tolerance_, ends)) return *sum;
+    return detail::integrateAdaptive(folded, 0.0, quarter, tolerance_, kMaxDepth);
   }
 
   /// Cut where the horizon crosses the rim, where the integrand has a kink: psi moves away from there as the cube.
@@ -173,8 +176,8 @@ class WrapContour {
         const double x = rim.level + d_.sx * rim.cosine * d_.nx + d_.sy * rim.sine * d_.ny;
         return (rim.whole + bend(x) * (rim.kz - rim.kx - rim.ky)) * width * 30 * square(v * (1 - v));
       };
-      sum += detail::integrateAdaptive(graded, 0.0, 0.5, kTolerance * peak_, kMaxDepth) +
-             detail::integrateAdaptive(graded, 0.5, 1.0, kTolerance * peak_, kMaxDepth);
+      sum += detail::integrateAdaptive(graded, 0.0, 0.5, tolerance_, kMaxDepth) +
+             detail::integrateAdaptive(graded, 0.5, 1.0, tolerance_, kMaxDepth);
     }
     return sum;
   }
@@ -253,16 +256,22 @@ class WrapContour {
     return whole_ * (0.5 - (below > 0 ? below / (1 + x) : 0)) / (1 - x);
   }
 
-  static constexpr double kTolerance = 1e-8;  // of the peak pi sx sy, for each panel
+  /// Of the peak pi sx sy, for each panel; of a sliver, whose integrand is much larger than it, what its rounding
+  /// leaves.
+  static double toleranceOf(const DiskPose& d) noexcept {
+    return std::max(kTolerance * kPi * d.sx * d.sy, 1e-14 * (d.sy * d.cx * d.nx + d.sx * d.ny));
+  }
+
+  static constexpr double kTolerance = 1e-8;
   static constexpr double kSmall = 1e-5;
-  static constexpr int kMaxDepth = 40;
+  static constexpr int kMaxDepth = 24;
   static constexpr int kSamples = 16;
 
   DiskPose d_;
   double a_;
   double whole_;  // F
   double power_;
-  double peak_;
+  double tolerance_;
 };
 
 }  // namespace

@@ -91,7 +91,7 @@ RIGEL_GENERIC RIGEL_FUNCTION Real rigel_diskLambert(RIGEL_IN(RIGEL_OF(DiskCone))
   Real ny2 = ny * ny;
   Real nz2 = nz * nz;
   Real t = cone.t;
-  Real u = cone.u;
+  Real u = max(cone.u, Real(1e-6f));  // its sixth power must not vanish; the rim is closer than 1e-12 radii there
   Real u2 = u * u;
 
   // f0 and phi.
@@ -130,11 +130,16 @@ RIGEL_GENERIC RIGEL_FUNCTION Real rigel_diskLambert(RIGEL_IN(RIGEL_OF(DiskCone))
   Real perNormal = one + nx;
   Real perDiagonal = max(diagonal + t, tiny);
   Real perX = max(t, Real(0.25f));  // X above 45 degrees needs t above 0.38
-  Real both = one / (perNormal * perDiagonal * max(flux, tiny) * perX);
-  Real perFlux = both * perNormal * perDiagonal * perX;
-  Real perT = both * perNormal * perDiagonal * flux;
-  Real oneLess = (ny2 + nz2) * (both * perDiagonal * flux * perX);
-  Real slope2 = cone.sx2 * (cone.cx2 - t * t * (one + cone.cx2)) * (both * perNormal * flux * perX);  // sy cx - t
+  Real fluxed = max(flux, tiny);
+  Real both = one / (perNormal * perDiagonal * fluxed * perX * u2);
+  Real lengths = both * perNormal * perDiagonal;
+  Real perU2 = lengths * fluxed * perX;
+  lengths *= u2;
+  Real perFlux = lengths * perX;
+  Real perT = lengths * fluxed;
+  both *= fluxed * perX * u2;
+  Real oneLess = (ny2 + nz2) * (both * perDiagonal);
+  Real slope2 = cone.sx2 * (cone.cx2 - t * t * (one + cone.cx2)) * (both * perNormal);  // sy cx - t
   Real turn = rigel_select(nx > Real(0.5f), slope2 + t * oneLess, diagonal - t * nx);
   Real slip = rigel_select(nx > Real(0.5f), diagonal * oneLess - slope2, t - diagonal * nx);
   // tan(O - X) = turned / along.
@@ -142,8 +147,8 @@ RIGEL_GENERIC RIGEL_FUNCTION Real rigel_diskLambert(RIGEL_IN(RIGEL_OF(DiskCone))
   Real along = horizonX * sideX + horizonY * sideY;
 
   // Three arc tangents by one division: dpsi; X; O, or O - X where they are large.
-  Real angleY = rigel_select(large > zero, abs(turned), horizonY);
-  Real angleX = rigel_select(large > zero, along, horizonX);
+  Real angleY = rigel_select(large > zero, abs(turned) * perU2, horizonY);
+  Real angleX = rigel_select(large > zero, along * perU2, horizonX);
   Real arcMax = max(max(arcY, abs(arcX)), tiny);
   Real sideMax = max(max(sideY, abs(sideX)), tiny);
   Real angleMax = max(max(angleY, abs(angleX)), tiny);

@@ -72,9 +72,12 @@ RIGEL_FUNCTION float rigel_diskWrapped(RIGEL_IN(RigelDiskMoments) q, RIGEL_IN(Ri
 
 /// Lambert without inverse function or branch: rigel_lambertCapCheap of a sphere of the size along the normal.
 RIGEL_FUNCTION float rigel_diskLambertCheap(RIGEL_IN(RigelDiskCone) cone, float nx, float ny, float nz) RIGEL_NOEXCEPT {
-  float around2 = max(nx * nx + ny * ny, 1e-12f);
-  float s2 = clamp((cone.sx2 * nx * nx + cone.sy2 * ny * ny) / around2, 1e-12f, 1.0f);
-  return max(rigel_lambertCapCheap(nz, sqrt(s2), sqrt(1.0f - s2)), 0.0f);
+  float x2 = nx * nx;
+  float y2 = ny * ny;
+  float perAround = 1.0f / max(x2 + y2, 1e-12f);
+  float s = sqrt(clamp((cone.sx2 * x2 + cone.sy2 * y2) * perAround, 1e-12f, 1.0f));
+  float c = sqrt(min((cone.cx2 * x2 + cone.cy2 * y2) * perAround, 1.0f));
+  return max(rigel_lambertCapCheap(nz, s, c), 0.0f);
 }
 
 /// What 3-band SH leave out: rigel_kernelAboveBand2, faded out where the disk is so large that SH hold it.
