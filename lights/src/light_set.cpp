@@ -17,7 +17,8 @@ void reserveAll(std::size_t count, Arrays&... arrays) {
 
 void LightSet::clear() noexcept {
   clearAll(directional_.dx, directional_.dy, directional_.dz, directional_.r, directional_.g, directional_.b);
-  for (Local* l : {&point_, &spot_, &sphere_, &disk_}) clearAll(l->x, l->y, l->z, l->radius, l->range, l->r, l->g, l->b);
+  for (Local* l : {&point_, &spot_, &sphere_, &disk_})
+    clearAll(l->x, l->y, l->z, l->radius, l->range, l->r, l->g, l->b);
   clearAll(cone_.dx, cone_.dy, cone_.dz, cone_.inner, cone_.outer);
   clearAll(face_.dx, face_.dy, face_.dz, face_.twoSided);
 }
@@ -25,7 +26,8 @@ void LightSet::clear() noexcept {
 void LightSet::reserve(int perKind) {
   const auto n = static_cast<std::size_t>(perKind);
   reserveAll(n, directional_.dx, directional_.dy, directional_.dz, directional_.r, directional_.g, directional_.b);
-  for (Local* l : {&point_, &spot_, &sphere_, &disk_}) reserveAll(n, l->x, l->y, l->z, l->radius, l->range, l->r, l->g, l->b);
+  for (Local* l : {&point_, &spot_, &sphere_, &disk_})
+    reserveAll(n, l->x, l->y, l->z, l->radius, l->range, l->r, l->g, l->b);
   reserveAll(n, cone_.dx, cone_.dy, cone_.dz, cone_.inner, cone_.outer);
   reserveAll(n, face_.dx, face_.dy, face_.dz, face_.twoSided);
 }
@@ -62,7 +64,6 @@ void LightSet::add(const SpotLight& light) {
 }
 
 void LightSet::add(const SphereLight& light) { sphere_.push(light.position, light.radius, kNoRange, light.radiance); }
-
 
 void LightSet::add(const DiskLight& light) {
   disk_.push(light.position, light.radius, kNoRange, light.radiance);

@@ -27,6 +27,7 @@ DiskAspect diskAspect(const Region& region, const Triple& axis, double radius, b
   reach = std::min(reach, region.radius) + rounding;
   view.low = middle - reach;
   view.high = middle + reach;
+  const double apart = std::max({0.0, view.low, -view.high});
   if (view.high < 0) {
     const double x = margin > 0 ? std::max(0.0, 1 + view.high / margin) : 0;
     view.share = x * x * (3 - 2 * x);
@@ -40,6 +41,8 @@ DiskAspect diskAspect(const Region& region, const Triple& axis, double radius, b
   const double beyondHeight = region.near - view.high;
   const double byDistance = beyondHeight > 0 ? std::sqrt(beyondHeight * (region.near + view.high)) : 0;
   view.off = std::max({0.0, off - support, byDistance});
+  const double beside = std::max(0.0, off - support - radius);
+  view.gap = std::sqrt(apart * apart + beside * beside);
   view.offMost = off + std::min(region.radius, std::sqrt(dotOf(region.half, region.half))) + rounding;
 
   const Interval centre = cosines(region, axis, 0);

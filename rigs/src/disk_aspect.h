@@ -9,6 +9,7 @@ namespace rigel {
 struct DiskAspect {
   double low = 0, high = 0;     // heights over the disk's plane, least and largest; high >= 0
   double share = 1;             // of its light: falls to 0 within `margin` behind the plane, where there is none
+  double gap = 0;               // distance to the disk itself, or less
   double off = 0, offMost = 0;  // distances from the disk's axis
   double near = 0;              // distance from the disk's centre to the nearest point
   Interval cosine;              // of directions from any point of the disk, within [0, 1]

@@ -37,17 +37,25 @@ class DiskBound {
         nodes_(diskAspect(place.nodes, axis, radius, twoSided, kMargin * plan.radius)) {}
 
   LightBound operator()() noexcept {
-    if (!(served_.share > 0)) return {};
+    if (!(served_.share > 0)) return {0, 0, contact()};
     const double error = plan_.kind == BoundPlan::Kind::samples ? sampleError() : tensorError();
     const double vector = field_.vector(served_);
     const double peak = field_.perVector() * vector;
     const double whole = error + (kValueRounding + quadrature()) * plan_.lebesgue * peak;
     // Behind the plane there is no light, but an object that comes to it from there must be expected.
     const bool lit = served_.high > 0;
-    return {heldBound(lit ? whole : served_.share * whole), lit ? heldBound(field_.exactPerVector() * vector) : 0};
+    return {heldBound(lit ? whole : served_.share * whole), lit ? heldBound(field_.exactPerVector() * vector) : 0,
+            contact()};
   }
 
  private:
+  /// In time for weights that move at a limited rate.
+  float contact() const noexcept {
+    constexpr double kOuter = 0.9, kInner = 0.2;
+    const double x = std::clamp((kOuter * plan_.radius - served_.gap) / ((kOuter - kInner) * plan_.radius), 0.0, 1.0);
+    return static_cast<float>(x * x * (3 - 2 * x));
+  }
+
   /// What `project` may be off by, relative to the peak (disk.h): it falls with the eighth power of the distance.
   double quadrature() const noexcept {
     constexpr double kAtTheRim = 1e-3;

@@ -26,6 +26,11 @@ inline float magnitude(Rgb c) noexcept { return std::sqrt((c.r * c.r + c.g * c.g
 /// A light that is not a number contributes nothing.
 inline float orNothing(float x) noexcept { return x > 0 ? std::min(x, std::numeric_limits<float>::max()) : 0.0f; }
 
+/// What a light is ranked by where lights compete for slots: one that the object touches comes first.
+inline float urgency(float size, float contact) noexcept {
+  return contact < 1 ? orNothing(size / (1 - contact)) : std::numeric_limits<float>::max();
+}
+
 /// Projecting the high bands is left out where nobody asks for what is in them.
 inline bool measuresTotal(const LightingOptions& options) noexcept {
   return options.estimate || options.target.kind == LightingTarget::Kind::totalError ||
@@ -74,6 +79,8 @@ struct ObjectLighting<B>::State {
     const int count = lights.size();
     errors.resize(count);
     peaks.resize(count);
+    contacts.resize(count);
+    urgent.resize(count);
     culled.resize(count);
     verdicts.resize(count);
     for (int i = 0; i < count; ++i) {
@@ -83,6 +90,9 @@ struct ObjectLighting<B>::State {
         errors[i] = lighting::orNothing(bound.error * size);
         peaks[i] = lighting::orNothing(bound.peak * size);
         culled[i] = peaks[i] > 0 ? 0 : 1;
+        contacts[i] = size > 0 ? bound.contact : 0;
+        const float leap = static_cast<float>(kPi) * contacts[i] * size;
+        urgent[i] = lighting::urgency(std::max(errors[i], leap), contacts[i]);
       });
     }
   }
@@ -106,7 +116,7 @@ struct ObjectLighting<B>::State {
     }
     if (slots > 0) {
       makeRoom(lights.size());
-      nearFar.update(errors, ids, seconds);
+      nearFar.update(urgent, ids, seconds);
       splitLights(lights, nearFar.weights(), farLights, near, culled);
       far = &farLights;
       lighting::finish(probe, LightingStage::choose);
@@ -165,7 +175,7 @@ struct ObjectLighting<B>::State {
     ranks.resize(count);
     candidates.clear();
     for (int i = 0; i < count; ++i) {
-      ranks[i] = errors[i] + (total ? kTruncatedShare * peaks[i] : 0);
+      ranks[i] = urgent[i] + (total ? kTruncatedShare * peaks[i] : 0);
       if (culled[i] == 0) candidates.push_back(i);
     }
     float next = 0;
@@ -252,7 +262,11 @@ struct ObjectLighting<B>::State {
     tradeOff.choose(wanted, choice);
     lightWeights.assign(lights.size(), 0);
     for (std::size_t i = 0; i < candidates.size(); ++i) lightWeights[candidates[i]] = choice.weights[i];
-    nearFar.follow(lightWeights, ids, seconds, peaks);
+    for (std::size_t i = 0; i < lightWeights.size(); ++i) {
+      lightWeights[i] = std::max(lightWeights[i], contacts[i]);
+      urgent[i] = std::max(urgent[i], peaks[i]);
+    }
+    nearFar.follow(lightWeights, ids, seconds, urgent);
     candidateWeights.resize(candidates.size());
     for (std::size_t i = 0; i < candidates.size(); ++i) candidateWeights[i] = nearFar.weights()[candidates[i]];
     splitLights(lights, nearFar.weights(), farLights, near, culled);
@@ -333,7 +347,7 @@ struct ObjectLighting<B>::State {
   int slots = 0;
 
   // Per light.
-  std::vector<float> errors, peaks, means, ranks, lightWeights;
+  std::vector<float> errors, peaks, contacts, urgent, means, ranks, lightWeights;
   std::vector<std::uint8_t> culled, individually;
   std::vector<LightVerdict> verdicts;
   std::vector<int> candidates;

@@ -53,6 +53,7 @@ class LitBody {
     lighting.setPose({body_.box, anchors_}, frame_);
   }
 
+  const RigFrame& frame() const { return frame_; }
   Vec3 world(std::size_t point) const { return frame_.point(body_.points[point]); }
   typename ObjectLighting<B>::Parts shade(std::size_t point) const {
     return lighting.shade(world(point), body_.normals[point], material_);

@@ -38,16 +38,38 @@ LightSet scaled(const LightSet& lights, float size, float power) {
         light.position = light.position * size;
         light.radius *= size;
       }
-      if constexpr (std::is_same_v<Light, SphereLight>) {
-        light.radiance = light.radiance * power;
-      } else if constexpr (std::is_same_v<Light, DirectionalLight>) {
-        light.irradiance = light.irradiance * power;
-      } else {
-        light.intensity = light.intensity * (power * size * size);
-      }
+      const bool intensity = std::is_same_v<Light, PointLight> || std::is_same_v<Light, SpotLight>;
+      colourOf(light) = colourOf(light) * (intensity ? power * size * size : power);
       out.add(light);
     });
   return out;
+}
+
+/// Disks that look at the object, more or less, from 0.2 to 5 away.
+LightSet disksAround(unsigned seed, int count) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> unit(0, 1);
+  std::normal_distribution<float> normal;
+  LightSet lights;
+  for (int i = 0; i < count; ++i) {
+    Vec3 d{normal(random), normal(random), normal(random)};
+    d = d * (1 / length(d));
+    const float away = 0.2f * std::exp2(4.6f * unit(random)), radius = 0.05f * std::exp2(3 * unit(random));
+    const Vec3 tilt{0.6f * normal(random), 0.6f * normal(random), 0.6f * normal(random)};
+    const float power = 0.05f * std::exp2(4 * unit(random)) / (radius * radius);
+    const Vec3 p = Vec3{1.5f * d.x, 0.7f * d.y, 0.7f * d.z} + d * away;
+    lights.add(DiskLight{p, tilt - d, radius, {power, 0.8f * power, 0.6f * power}, i % 4 == 0});
+  }
+  return lights;
+}
+
+LightSet ceiling() {
+  LightSet lights;
+  for (int x = -2; x <= 2; ++x)
+    for (int z = -1; z <= 1; ++z)
+      lights.add(
+          DiskLight{{1.5f * static_cast<float>(x), 1.4f, 1.5f * static_cast<float>(z)}, {0, -1, 0}, 0.3f, {10, 9, 8}});
+  return lights;
 }
 
 std::vector<HardCase> hardCases() {
@@ -75,6 +97,13 @@ std::vector<HardCase> hardCases() {
                    setOf(SphereLight{body.points[40], 0.02f, {40, 40, 40}}, PointLight{{0, 4, 0}, {30, 30, 30}}), true,
                    false});
   cases.push_back({"a light that holds the object", body, setOf(SphereLight{{}, 20, {1, 2, 3}})});
+  cases.push_back({"disks around", body, disksAround(4, 12)});
+  cases.push_back({"a ceiling of disks", body, ceiling()});
+  cases.push_back({"a disk that cuts the object", body, setOf(DiskLight{{0.2f, 0, 0}, {1, 0.3f, 0}, 0.5f, {5, 4, 3}})});
+  cases.push_back({"disks edge on", body,
+                   setOf(DiskLight{{2, 0, 0}, {0, 1, 0.02f}, 0.3f, {50, 40, 30}},
+                         DiskLight{{-1, 1.2f, 0}, {1, 0.01f, 0}, 0.5f, {20, 20, 20}, true})});
+  cases.push_back({"a disk as large as a hall", body, setOf(DiskLight{{3, 1, 2}, {0, -1, 0}, 20, {1, 2, 3}})});
   LightSet bright = lightsAround(2, 20);
   bright.add(PointLight{{3, 2, 1}, {2e7f, 2e7f, 2e7f}});
   cases.push_back({"one light a million times brighter", body, bright});
@@ -88,6 +117,9 @@ std::vector<HardCase> hardCases() {
     broken.add(SpotLight{{1, 2, 3}, {bad, 0, 0}, {1, 1, 1}});
     broken.add(SpotLight{{1, 2, 3}, {0, 1, 0}, {1, 1, 1}, bad, bad});
     broken.add(DirectionalLight{{0, bad, 0}, {1, 1, 1}});
+    broken.add(DiskLight{{1, bad, 3}, {0, -1, 0}, 1, {1, 1, 1}});
+    broken.add(DiskLight{{1, 2, 3}, {0, -1, 0}, bad, {1, 1, 1}});
+    broken.add(DiskLight{{1, 2, 3}, {0, bad, 0}, 1, {1, 1, 1}});
   }
   broken.add(PointLight{{1, 2, 3}, {kNan, 1, 1}});
   broken.add(DirectionalLight{{0, 1, 0}, {1, kNan, 1}});

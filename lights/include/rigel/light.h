@@ -1,8 +1,8 @@
 // The light kinds and LightSet, their structure-of-arrays container.
 //
 // Every local light but the disk is a sphere of uniform radiance L: what is called a point light is one whose radius is
-// small and whose radiance is I/(pi radius^2), so that it gives I/d^2 outside and stays bounded inside; a spot light is a
-// point light times a cone that is evaluated where the receiver stands.
+// small and whose radiance is I/(pi radius^2), so that it gives I/d^2 outside and stays bounded inside; a spot light is
+// a point light times a cone that is evaluated where the receiver stands.
 #pragma once
 
 #include <rigel/vec3.h>
@@ -98,7 +98,7 @@ class LightSet {
   int spotCount() const noexcept { return static_cast<int>(spot_.r.size()); }
   int sphereCount() const noexcept { return static_cast<int>(sphere_.r.size()); }
   int diskCount() const noexcept { return static_cast<int>(disk_.r.size()); }
-  int size() const noexcept { return directionalCount() + pointCount() + spotCount() + sphereCount(); }
+  int size() const noexcept { return directionalCount() + pointCount() + spotCount() + sphereCount() + diskCount(); }
 
   DirectionalLight directional(int index) const noexcept {
     const Directional& l = directional_;
@@ -128,7 +128,7 @@ class LightSet {
             face_.twoSided[index] != 0};
   }
 
-  /// `f(light)` with light `i` of all, counted in the order directional, point, spot, sphere; its result.
+  /// `f(light)` with light `i` of all, counted in the order directional, point, spot, sphere, disk; its result.
   template <class F>
   decltype(auto) visit(int i, F&& f) const {
     if (i < directionalCount()) return f(directional(i));
@@ -136,7 +136,9 @@ class LightSet {
     if (i < pointCount()) return f(point(i));
     i -= pointCount();
     if (i < spotCount()) return f(spot(i));
-    return f(sphere(i - spotCount()));
+    i -= spotCount();
+    if (i < sphereCount()) return f(sphere(i));
+    return f(disk(i - sphereCount()));
   }
 
  private:
