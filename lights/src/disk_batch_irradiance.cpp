@@ -16,87 +16,120 @@ namespace rigel::HWY_NAMESPACE {
 
 namespace {
 
-/// The points of a block whose horizon crosses the disk, side by side: for all others the light is seen whole or not at
-/// all. A vector is written at a time, hence the room at the end.
-struct alignas(64) CrossedPoints {
-  static constexpr std::size_t kRoom = kDiskBlock + Lane::kCount;
+/// What the points of a block see: of the cone, the normal in the frame, pi times the flux.
+enum SeenRow { kSx, kCx, kSy, kT, kU, kNx, kNy, kNz, kScale, kSeenRows };
 
-  float sx[kRoom] = {}, cx[kRoom] = {}, t[kRoom] = {}, u[kRoom] = {};  // of the cone
-  float nx[kRoom] = {}, ny[kRoom] = {}, nz[kRoom] = {};                // the normal, in the frame
-  float scale[kRoom] = {};
-  float index[kRoom] = {};  // in the block
-  std::size_t count = 0;
+/// Packing writes a vector at a time, hence the room at the end.
+constexpr std::size_t kRoom = kDiskBlock + Lane::kCount;
+
+struct alignas(64) SeenPoints {
+  float row[kSeenRows][kRoom];
 };
 
-/// As diskLambert sees it.
-HWY_INLINE LaneMask crossesHorizon(const DiskCone<Lane>& cone, Lane x, Lane y, Lane z) {
-  const Lane ex = cone.sx * cone.u * x, ey = cone.sy * y, ez = cone.cy * z;
-  return ez * ez < ex * ex + ey * ey;
-}
+struct Seen {
+  DiskCone<Lane> cone;
+  Lane nx, ny, nz, scale;
 
-/// What points receive that no horizon crosses; the others to `crossed`.
-HWY_NOINLINE void wholeBlock(const DiskBatchLight& light, const float* x, const float* y, const float* z,
-                             const float* nx, const float* ny, const float* nz, std::size_t points, float* irradiance,
-                             CrossedPoints& crossed) {
+  HWY_INLINE Seen(const SeenPoints& from, std::size_t i)
+      : nx(Lane::load(from.row[kNx] + i)),
+        ny(Lane::load(from.row[kNy] + i)),
+        nz(Lane::load(from.row[kNz] + i)),
+        scale(Lane::load(from.row[kScale] + i)) {
+    cone.sx = Lane::load(from.row[kSx] + i);
+    cone.cx = Lane::load(from.row[kCx] + i);
+    cone.sy = Lane::load(from.row[kSy] + i);
+    cone.t = Lane::load(from.row[kT] + i);
+    cone.u = Lane::load(from.row[kU] + i);
+    cone.cy = cone.cx * cone.u;
+    cone.sx2 = cone.sx * cone.sx;
+    cone.cx2 = cone.cx * cone.cx;
+    cone.sy2 = cone.sy * cone.sy;
+    cone.cy2 = cone.cy * cone.cy;
+  }
+
+  /// Where the horizon crosses the disk, as diskLambert sees it; else the light is seen whole or not at all.
+  HWY_INLINE LaneMask crossed() const {
+    const Lane ex = cone.sx * cone.u * nx, ey = cone.sy * ny, ez = cone.cy * nz;
+    return ez * ez < ex * ex + ey * ey && scale > Lane(0.0f);
+  }
+
+  HWY_INLINE Lane clipped() const { return scale * diskLambert(cone, nx, ny, nz); }
+};
+
+HWY_NOINLINE void seeBlock(const DiskBatchLight& light, const float* x, const float* y, const float* z, const float* nx,
+                           const float* ny, const float* nz, std::size_t points, SeenPoints& seen) {
   DiskGaps gaps;
   gapsOfBlock(light, x, y, z, points, gaps);
-  std::size_t end = 0;
   for (std::size_t i = 0; i < points; i += Lane::kCount) {
     const DiskView<Lane> view = viewFrom(light, x + i, y + i, z + i, gaps.along + i, gaps.m + i);
     const Lane wx = Lane::load(nx + i), wy = Lane::load(ny + i), wz = Lane::load(nz + i);
-    const Lane normalX = view.xx * wx + view.xy * wy + view.xz * wz;
-    const Lane normalY = view.yx * wx + view.yy * wy + view.yz * wz;
-    const Lane normalZ = view.zx * wx + view.zy * wy + view.zz * wz;
-    const Lane scale = Lane(kRigelPi) * view.flux;
-    (scale * max(normalZ, Lane(0.0f))).store(irradiance + i);
-
-    const auto where = crossesHorizon(view.cone, normalX, normalY, normalZ) && view.flux > Lane(0.0f);
-    const LanePacker packer(where);
-    packer.store(view.cone.sx, crossed.sx + end);
-    packer.store(view.cone.cx, crossed.cx + end);
-    packer.store(view.cone.t, crossed.t + end);
-    packer.store(view.cone.u, crossed.u + end);
-    packer.store(normalX, crossed.nx + end);
-    packer.store(normalY, crossed.ny + end);
-    packer.store(normalZ, crossed.nz + end);
-    packer.store(scale, crossed.scale + end);
-    packer.store(hn::Iota(Lane::Tag(), static_cast<float>(i)), crossed.index + end);
-    end += count(where);
+    view.cone.sx.store(seen.row[kSx] + i);
+    view.cone.cx.store(seen.row[kCx] + i);
+    view.cone.sy.store(seen.row[kSy] + i);
+    view.cone.t.store(seen.row[kT] + i);
+    view.cone.u.store(seen.row[kU] + i);
+    (view.xx * wx + view.xy * wy + view.xz * wz).store(seen.row[kNx] + i);
+    (view.yx * wx + view.yy * wy + view.yz * wz).store(seen.row[kNy] + i);
+    (view.zx * wx + view.zy * wy + view.zz * wz).store(seen.row[kNz] + i);
+    (Lane(kRigelPi) * view.flux).store(seen.row[kScale] + i);
   }
-  crossed.count = end;
 }
 
-HWY_NOINLINE void crossedBlock(const CrossedPoints& crossed, float* irradiance) {
-  for (std::size_t i = 0; i < crossed.count; i += Lane::kCount) {
-    const Lane u = Lane::load(crossed.u + i);
-    const DiskCone<Lane> cone =
-        diskConeOf(Lane::load(crossed.sx + i), Lane::load(crossed.cx + i), Lane::load(crossed.t + i), u * u);
-    const Lane e =
-        diskLambert(cone, Lane::load(crossed.nx + i), Lane::load(crossed.ny + i), Lane::load(crossed.nz + i));
-    float out[Lane::kCount];
-    (Lane::load(crossed.scale + i) * e).store(out);
-    const std::size_t rest = std::min(Lane::kCount, crossed.count - i);
-    for (std::size_t k = 0; k < rest; ++k) irradiance[static_cast<std::size_t>(crossed.index[i + k])] = out[k];
+/// What points receive that no horizon crosses. How many others there are.
+HWY_NOINLINE std::size_t wholeBlock(const SeenPoints& seen, std::size_t points, float* irradiance) {
+  std::size_t crossed = 0;
+  for (std::size_t i = 0; i < points; i += Lane::kCount) {
+    const Seen at(seen, i);
+    (at.scale * max(at.nz, Lane(0.0f))).store(irradiance + i);
+    crossed += count(at.crossed());
   }
+  return crossed;
+}
+
+HWY_NOINLINE void clipAll(const SeenPoints& seen, std::size_t points, float* irradiance) {
+  for (std::size_t i = 0; i < points; i += Lane::kCount) Seen(seen, i).clipped().store(irradiance + i);
+}
+
+/// The points that the horizon crosses are put side by side first.
+HWY_NOINLINE void clipCrossed(const SeenPoints& seen, std::size_t points, float* irradiance) {
+  SeenPoints crossed;
+  float index[kRoom], clipped[kRoom];
+  std::size_t end = 0;
+  for (std::size_t i = 0; i < points; i += Lane::kCount) {
+    const LaneMask where = Seen(seen, i).crossed();
+    const LanePacker packer(where);
+    for (int k = 0; k < kSeenRows; ++k) packer.store(Lane::load(seen.row[k] + i), crossed.row[k] + end);
+    packer.store(hn::Iota(Lane::Tag(), static_cast<float>(i)), index + end);
+    end += count(where);
+  }
+  for (auto& row : crossed.row) Lane(0.0f).store(row + end);
+  clipAll(crossed, end, clipped);
+  for (std::size_t i = 0; i < end; ++i) irradiance[static_cast<std::size_t>(index[i])] = clipped[i];
+}
+
+HWY_NOINLINE void irradianceBlock(const DiskBatchLight& light, const float* const* rows, std::size_t at,
+                                  std::size_t points, float* irradiance) {
+  SeenPoints seen;
+  seeBlock(light, rows[0] + at, rows[1] + at, rows[2] + at, rows[3] + at, rows[4] + at, rows[5] + at, points, seen);
+  const std::size_t crossed = wholeBlock(seen, points, irradiance);
+  // Packing costs about a quarter of what clipping does.
+  if (4 * crossed > 3 * points) return clipAll(seen, points, irradiance);
+  if (crossed > 0) clipCrossed(seen, points, irradiance);
 }
 
 }  // namespace
 
 void irradianceBatch(const DiskBatchLight& light, const Vec3Rows& points, const Vec3Rows& normals, float* irradiance) {
-  CrossedPoints crossed;
+  const float* rows[] = {points.x.data(),  points.y.data(),  points.z.data(),
+                         normals.x.data(), normals.y.data(), normals.z.data()};
   const std::size_t whole = points.size() - points.size() % Lane::kCount;
-  for (std::size_t at = 0; at < whole; at += kDiskBlock) {
-    wholeBlock(light, &points.x[at], &points.y[at], &points.z[at], &normals.x[at], &normals.y[at], &normals.z[at],
-               std::min(kDiskBlock, whole - at), irradiance + at, crossed);
-    crossedBlock(crossed, irradiance + at);
-  }
+  for (std::size_t at = 0; at < whole; at += kDiskBlock)
+    irradianceBlock(light, rows, at, std::min(kDiskBlock, whole - at), irradiance + at);
   if (const std::size_t rest = points.size() - whole) {
     float in[6][Lane::kCount] = {}, out[Lane::kCount];
-    const float* rows[] = {points.x.data(),  points.y.data(),  points.z.data(),
-                           normals.x.data(), normals.y.data(), normals.z.data()};
+    const float* const padded[] = {in[0], in[1], in[2], in[3], in[4], in[5]};
     for (int k = 0; k < 6; ++k) std::copy_n(rows[k] + whole, rest, in[k]);
-    wholeBlock(light, in[0], in[1], in[2], in[3], in[4], in[5], Lane::kCount, out, crossed);
-    crossedBlock(crossed, out);
+    irradianceBlock(light, padded, 0, Lane::kCount, out);
     std::copy_n(out, rest, irradiance + whole);
   }
 }

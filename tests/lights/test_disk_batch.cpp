@@ -125,11 +125,17 @@ bool allButInPlane(const DiskLight& light, Vec3 p) {
   return std::abs(along) < 1e-9 * std::sqrt(direction2 * distance2);
 }
 
-Rows hardRows(Random& random, const DiskLight& light, int count) {
+/// `across`: with normals whose horizon passes through the disk's centre.
+Rows hardRows(Random& random, const DiskLight& light, int count, bool across = false) {
   Rows rows;
   while (static_cast<int>(rows.size()) < count) {
     const Vec3 p = hardPoint(random, light);
-    if (!allButInPlane(light, p)) rows.add(p, random.direction());
+    if (allButInPlane(light, p)) continue;
+    Vec3 n = random.direction();
+    const Vec3 w = light.position - p;
+    const float scale = std::max({std::abs(w.x), std::abs(w.y), std::abs(w.z)});
+    if (across && scale > 0) n = cross(w * (1 / scale), n);
+    rows.add(p, n * (1 / length(n)));
   }
   return rows;
 }
@@ -176,7 +182,7 @@ TEST(DiskBatch, Irradiance) {
     Random random(402);
     for (int k = 0; k < (test::fullRun() ? 20'000 : 200); ++k) {
       const DiskLight light = randomDisk(random);
-      const Rows rows = hardRows(random, light, 70 + random.index(80));
+      const Rows rows = hardRows(random, light, 70 + random.index(80), k % 3 == 0);
       std::vector<float> irradiance(rows.size());
       diskIrradianceBatch(light, rows.points(), rows.normals(), irradiance);
       for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -185,7 +191,9 @@ TEST(DiskBatch, Irradiance) {
         near.axis = light.direction;  // what its rounding costs is no matter of vectors
         const double expected = nearIrradiance(near, p, n).r;
         const double difference = std::abs(static_cast<double>(irradiance[i]) - expected);
-        const double error = difference == 0 ? 0 : difference / detail::localDisk(light, p).fluxScale;
+        const detail::LocalDisk disk = detail::localDisk(light, p);
+        const double vector = disk.powerScale * detail::viewOf<double>(disk).flux;
+        const double error = difference == 0 ? 0 : difference / vector;
         worst.add(error, [&] {
           return describe(light) + ", p " + describe(p) + ", n " + describe(n) + ": " + describe(irradiance[i]) +
                  ", expected " + describe(expected);
@@ -241,6 +249,15 @@ TEST(DiskBatch, NoLightFromWhatIsNowhere) {
     diskIrradianceBatch(light, rows.points(), rows.normals(), irradiance);
     EXPECT_THAT(sh, testing::Each(0.0f));
     EXPECT_THAT(irradiance, testing::Each(0.0f));
+
+    // Without a normal, alone and among points whose horizon crosses the disk.
+    for (const bool across : {false, true}) {
+      Rows unsure;
+      for (int i = 0; i < 20; ++i) unsure.add({0, 0.1f, 0}, i % 5 == 0 || !across ? Vec3{0, kNan, 0} : Vec3{1, 0, 0});
+      irradiance.assign(unsure.size(), kUntouched);
+      diskIrradianceBatch(light, unsure.points(), unsure.normals(), irradiance);
+      for (int i = 0; i < 20; ++i) EXPECT_EQ(irradiance[i] > 0, across && i % 5 != 0) << i << ": " << irradiance[i];
+    }
 
     Rows below;
     for (int i = 0; i < 20; ++i) below.add({0.1f, 0.01f * static_cast<float>(i), 0}, {0, 1, 0});

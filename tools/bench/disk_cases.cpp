@@ -21,17 +21,23 @@ const DiskLight kPanel{{0.4f, 1.4f, 0.3f}, {-0.1f, -1, 0}, 0.3f, {3, 2, 1}};
 struct BodyRows {
   std::vector<float> x, y, z, nx, ny, nz, irradiance, sh;
 
-  BodyRows() {
+  /// Normals of the surface, or such that each point's horizon passes through the middle of the panel.
+  explicit BodyRows(bool crossed = false) {
     for (const Vec3 p : bodySurface()) {
-      const Vec3 n = p * (1 / length(p));
-      x.push_back(p.x), y.push_back(p.y), z.push_back(p.z);
-      nx.push_back(n.x), ny.push_back(n.y), nz.push_back(n.z);
+      const Vec3 n = crossed ? cross(kPanel.position - p, {0.3f, 0.5f, 0.8f}) : p;
+      add(p, n * (1 / length(n)));
     }
     irradiance.resize(x.size());
     sh.resize(25 * x.size());
   }
   Vec3Rows points() const { return {x, y, z}; }
   Vec3Rows normals() const { return {nx, ny, nz}; }
+
+ private:
+  void add(Vec3 p, Vec3 n) {
+    x.push_back(p.x), y.push_back(p.y), z.push_back(p.z);
+    nx.push_back(n.x), ny.push_back(n.y), nz.push_back(n.z);
+  }
 };
 
 template <int B>
@@ -74,13 +80,17 @@ void addDiskCases(std::vector<BenchCase>& cases) {
                        benchmark::ClobberMemory();
                      }
                    }});
-  cases.push_back({"disk.exact", "ns/point", count, 1, "disk.wallace", [body](benchmark::State& state) {
-                     for (auto _ : state) {
-                       diskIrradianceBatch(kPanel, body->points(), body->normals(), body->irradiance);
-                       benchmark::DoNotOptimize(body->irradiance.data());
-                       benchmark::ClobberMemory();
-                     }
-                   }});
+  for (const bool crossed : {false, true}) {
+    const auto rows = crossed ? std::make_shared<BodyRows>(true) : body;
+    cases.push_back({crossed ? "disk.exact.horizon" : "disk.exact", "ns/point", count, 1, "disk.wallace",
+                     [rows](benchmark::State& state) {
+                       for (auto _ : state) {
+                         diskIrradianceBatch(kPanel, rows->points(), rows->normals(), rows->irradiance);
+                         benchmark::DoNotOptimize(rows->irradiance.data());
+                         benchmark::ClobberMemory();
+                       }
+                     }});
+  }
   addQuadrature<3>(cases, body, "disk.quadrature4", DiskNodes::four);
   addQuadrature<3>(cases, body, "disk.quadrature6", DiskNodes::six);
   addQuadrature<3>(cases, body, "disk.quadrature8", DiskNodes::eight);
