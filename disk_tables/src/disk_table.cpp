@@ -37,7 +37,7 @@ template <int B>
 RadianceSH<B> DiskTableView::project(const DiskLight& light, Vec3 p, float footprint) const noexcept {
   const detail::LocalDisk disk = detail::localDisk(light, p, footprint);
   if (!disk.lit) return {};
-  const detail::DiskView<float> seen = detail::narrow(disk.view);
+  const auto seen = detail::viewOf<float>(disk);
   return detail::shOfDisk<B>(disk, seen, detail::tabulatedMoments<B>(*this, seen.cone), light.radiance);
 }
 

@@ -55,10 +55,11 @@ void projectDiskExact(const DiskLight& light, Vec3 p, int bands, std::span<doubl
   std::fill(sh.begin(), sh.end(), 0.0);
   const detail::LocalDisk disk = detail::localDisk(light, p);
   if (!disk.lit) return;
+  const auto view = detail::viewOf<double>(disk);
   double q[shCount(kMaxBands)];
-  detail::diskBands<kMaxBands>(detail::exactDiskMoments(disk.view.cone), disk.view, q);
+  detail::diskBands<kMaxBands>(detail::exactDiskMoments(view.cone), view, q);
   for (int channel = 0; channel < 3; ++channel) {
-    const double scale = disk.fluxScale * light.radiance[channel];
+    const double scale = disk.powerScale * view.flux * light.radiance[channel];
     for (int i = 0; i < shCount(bands); ++i) sh[3 * i + channel] = scale * q[i];
   }
 }

@@ -30,7 +30,7 @@ RadianceSH<B> shOfDisk(const LocalDisk& disk, const DiskView<float>& view, const
                        Rgb radiance) noexcept {
   float q[shCount(B)];
   diskBands<B>(moments, view, q);
-  const Rgb scale = boundedColour(radiance, disk.fluxScale);
+  const Rgb scale = boundedColour(radiance, disk.powerScale * static_cast<double>(view.flux));
   RadianceSH<B> sh;
   for (int i = 0; i < shCount(B); ++i) sh[i] = scale * q[i];
   return sh;
@@ -42,7 +42,7 @@ template <int B>
 RadianceSH<B> projectDisk(const DiskLight& light, Vec3 p, DiskNodes nodes, float footprint) noexcept {
   const detail::LocalDisk disk = detail::localDisk(light, p, footprint);
   if (!disk.lit) return {};
-  const detail::DiskView<float> view = detail::narrow(disk.view);
+  const detail::DiskView<float> view = detail::viewOf<float>(disk);
   return detail::shOfDisk<B>(disk, view, momentsOf<B>(view.cone, nodes), light.radiance);
 }
 

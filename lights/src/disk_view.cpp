@@ -7,15 +7,6 @@
 #include "vec3d.h"
 
 namespace rigel::detail {
-namespace {
-
-DiskCone<float> narrow(const DiskCone<double>& cone) noexcept {
-  const auto f = [](double x) { return static_cast<float>(x); };
-  return {f(cone.sx2), f(cone.cx2), f(cone.sy2), f(cone.cy2), f(cone.sx),
-          f(cone.cx),  f(cone.sy),  f(cone.cy),  f(cone.t),   f(cone.u)};
-}
-
-}  // namespace
 
 LocalDisk localDisk(const DiskLight& light, Vec3 p, float footprint) noexcept {
   LocalDisk disk;
@@ -26,29 +17,35 @@ LocalDisk localDisk(const DiskLight& light, Vec3 p, float footprint) noexcept {
 
   constexpr double kLargest = std::numeric_limits<float>::max();
   const double ownRadius = std::min<double>(light.radius, kLargest);
-  disk.radius = std::max({ownRadius, std::min<double>(footprint, kLargest), std::sqrt(distance2) / kRigelDiskReach});
+  disk.radius = std::max(ownRadius, std::min<double>(footprint, kLargest));
+  const double reach = disk.radius * kRigelDiskReach;
+  if (distance2 > reach * reach) disk.radius = std::sqrt(distance2) / kRigelDiskReach;
   const double share = ownRadius / disk.radius;
   disk.powerScale = kPi * share * share;
 
   const Vec3d v = toCentre * (1 / disk.radius);
   const Vec3d axis = directionOf(light.direction);
   disk.place = diskPlace(v.x, v.y, v.z, axis.x, axis.y, axis.z, dot(v, axis), light.twoSided ? -1.0 : 0.0);
-  if (!(disk.place.z > 0)) return disk;
-  disk.lit = true;
-  disk.view = diskView(disk.place, (disk.place.rho - 1) * (disk.place.rho + 1) + disk.place.z * disk.place.z);
-  disk.fluxScale = disk.powerScale * disk.view.flux;
+  disk.gap = dot(v, v) - 1;
+  disk.lit = disk.place.z > 0;
   return disk;
 }
 
-DiskView<float> narrow(const DiskView<double>& view) noexcept {
+template <>
+DiskView<double> viewOf(const LocalDisk& disk) noexcept {
+  return diskView(disk.place, disk.gap);
+}
+
+/// Rounded last: the cone in float would triple the error of the whole to save 6 ns of 94.
+template <>
+DiskView<float> viewOf(const LocalDisk& disk) noexcept {
   const auto f = [](double x) { return static_cast<float>(x); };
-  DiskView<float> out;
-  out.cone = narrow(view.cone);
-  out.flux = f(view.flux);
-  out.xx = f(view.xx), out.xy = f(view.xy), out.xz = f(view.xz);
-  out.yx = f(view.yx), out.yy = f(view.yy), out.yz = f(view.yz);
-  out.zx = f(view.zx), out.zy = f(view.zy), out.zz = f(view.zz);
-  return out;
+  const DiskView<double> view = viewOf<double>(disk);
+  const DiskCone<double>& c = view.cone;
+  const DiskCone<float> cone{f(c.sx2), f(c.cx2), f(c.sy2), f(c.cy2), f(c.sx),
+                             f(c.cx),  f(c.sy),  f(c.cy),  f(c.t),   f(c.u)};
+  return {cone,       f(view.flux), f(view.xx), f(view.xy), f(view.xz), f(view.yx),
+          f(view.yy), f(view.yz),   f(view.zx), f(view.zy), f(view.zz)};
 }
 
 }  // namespace rigel::detail

@@ -36,7 +36,7 @@ DiskCase nearCase(Random& random, DiskFamily family, float wrap) {
   c.n = random.direction();
   const detail::LocalDisk disk = detail::localDisk(c.light, c.p);
   if (!disk.lit || random.index(2) == 0) return c;
-  const detail::DiskView<double>& view = disk.view;
+  const auto view = detail::viewOf<double>(disk);
   const Vec3 w{static_cast<float>(view.zx), static_cast<float>(view.zy), static_cast<float>(view.zz)};
   const double crossing = std::acos(-static_cast<double>(wrap)) + random.uniform(-1.05, 1.05) * std::asin(view.cone.sy);
   const Vec3 side = unitOf(cross(w, random.direction()));
@@ -81,7 +81,7 @@ tools::ShaderFunction nearShader(const std::string& defines = "") { return shade
 /// The vector irradiance; 1 where there is no light.
 double termsOf(const DiskCase& c) {
   const detail::LocalDisk disk = detail::localDisk(c.light, c.p);
-  return disk.lit ? disk.fluxScale : 1;
+  return disk.lit ? disk.powerScale * detail::viewOf<double>(disk).flux : 1;
 }
 
 /// `agreement`: of shader and C++, the stricter comparison where the form approximates; the truth, which takes its time

@@ -21,7 +21,7 @@
 
 namespace rigel {
 
-/// How the SH of a disk light are found: by Gauss-Legendre quadrature, from tables (disk_table.h), or in double.
+/// How the SH of a disk light are found: by quadrature, from tables (disk_table.h), or in double.
 enum class DiskMethod { quadrature, table, exact };
 
 /// Nodes of the quadrature over a quarter of the rim (shader_disk.h).
@@ -32,27 +32,27 @@ template <int B>
 RadianceSH<B> projectDisk(const DiskLight& light, Vec3 p, DiskNodes nodes, float footprint = 0) noexcept;
 
 /// In double, to 1e-10 of ||q||: tanh-sinh quadrature of 257 nodes. `bands` 2 to 5; `sh` holds 3 bands^2 numbers,
-/// colour by colour of each coefficient. About 2 us. No allocation.
+/// colour by colour of each coefficient. About 1 us. No allocation.
 void projectDiskExact(const DiskLight& light, Vec3 p, int bands, std::span<double> sh) noexcept;
 
 namespace detail {
 
-/// A disk light at one receiver point. Geometry is formed in double, so that a rim which all but touches keeps its
-/// digits. Radiance SH are radiance * fluxScale * (what the view's moments give).
+/// Where a receiver is of a disk light, in double: a rim that all but touches it keeps its digits.
 struct LocalDisk {
   DiskPlace<double> place;
-  DiskView<double> view;
-  double radius = 0;      // m, that place and view are in: of the disk, of the footprint, or distance / kRigelDiskReach
+  double gap = 0;         // rho^2 + z^2 - 1
+  double radius = 0;      // m, that place and gap are in: of the disk, of the footprint, or distance / kRigelDiskReach
   double powerScale = 0;  // pi, times what makes up for a radius that is not the disk's own
-  double fluxScale = 0;   // powerScale * view.flux
   bool lit = false;       // false: no light arrives, and the rest is not set
 };
 
 LocalDisk localDisk(const DiskLight& light, Vec3 p, float footprint = 0) noexcept;
 
-DiskView<float> narrow(const DiskView<double>& view) noexcept;
+/// Real: float or double. Radiance SH are radiance * powerScale * view.flux * (what the view's moments give).
+template <class Real>
+DiskView<Real> viewOf(const LocalDisk& disk) noexcept;
 
-/// World SH from moments that any method gave; `view` is narrow(disk.view).
+/// World SH from moments that any method gave; `view` is viewOf<float>(disk).
 template <int B>
 RadianceSH<B> shOfDisk(const LocalDisk& disk, const DiskView<float>& view, const DiskMoments<float>& moments,
                        Rgb radiance) noexcept;
