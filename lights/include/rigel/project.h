@@ -5,6 +5,8 @@
 // d = 0. Distances are formed in double from the float positions, the rest is float. Total functions: input of any
 // scale gives finite output (see kMaxProjectionScale); a light contributes 0 where it or p holds a NaN or is infinitely
 // far (a directional light looks at no p).
+//
+// Disks: six nodes of quadrature, see disk.h for their formula, their error and other methods.
 #pragma once
 
 #include <rigel/light.h>
@@ -34,7 +36,7 @@ RadianceSH<B> project(const DiskLight& light, Vec3 p, float footprint = 0) noexc
 
 /// SH and its derivative by p. Range window and spot cone enter by the product rule. The true derivative is unbounded
 /// at a sphere's surface (1/c): c is held >= kMinGradientCosine there; and at a disk's rim, where it is the true one
-/// times min(1, distance / (kMinGradientRim radius)).
+/// times min(1, distance / (kMinGradientRim radius)). Error of the largest component: 1e-6, disks 2e-6 outside of that.
 inline constexpr float kMinGradientCosine = 0.1f;
 inline constexpr float kMinGradientRim = 0.01f;
 
