@@ -2,7 +2,6 @@
 // and what one near the plane.
 #include "disk_irradiance.h"
 
-#include <rigel/shader_disk_irradiance.h>
 #include <rigel/shader_disk_near.h>
 #include <rigel/shader_disk_view.h>
 
@@ -57,7 +56,7 @@ float diskIrradiance(const NearLight& light, Vec3 p, Vec3 n, const NearWrap& wra
   const DiskPose pose = poseOf(light, p, n);
   if (!(pose.scale > 0)) return 0;
   const DiskCone<float>& cone = pose.view.cone;
-  if (wrap.a == 0) return pose.scale * wrap.gain * diskLambert(cone, pose.nx, pose.ny, pose.nz);
+  if (wrap.a == 0) return pose.scale * wrap.gain * diskLambertBranched(cone, pose.nx, pose.ny, pose.nz);
   return pose.scale * diskWrapped(diskMoments6<5>(cone), cone, pose.nx, pose.ny, pose.nz, wrap);
 }
 

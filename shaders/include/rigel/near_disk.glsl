@@ -17,13 +17,6 @@ vec3 rigel_inDiskFrame(RigelDiskView view, vec3 n) {
               dot(n, vec3(view.zx, view.zy, view.zz)));
 }
 
-/// rigel_diskLambert, for less where the horizon does not cross the disk.
-float rigel_diskLambertSeen(RigelDiskCone cone, vec3 n) {
-  float across = cone.sx2 * (cone.u * cone.u) * (n.x * n.x) + cone.sy2 * (n.y * n.y);
-  if (cone.cy2 * (n.z * n.z) >= across) return max(n.z, 0.0f);
-  return rigel_diskLambert(cone, n.x, n.y, n.z);
-}
-
 /// 0 where the normal is none; `e` is what it would be else.
 float rigel_diskFactor(RigelDiskView view, vec3 normalInFrame, float e) {
   return rigel_isNumber(normalInFrame.x + normalInFrame.y + normalInFrame.z) ? view.flux * e : 0.0f;
@@ -36,7 +29,7 @@ float rigel_nearDisk(GpuNearLight light, vec3 p, vec3 n, GpuWrap wrap) {
   if (RIGEL_HAS_NEAR_WRAP && (RIGEL_DISK_BY_TABLE || RIGEL_DISK_BY_QUADRATURE) && wrap.a != 0.0f) {
     e = rigel_diskWrapped(rigel_diskMoments(view.cone), view.cone, m.x, m.y, m.z, wrap);
   } else {
-    e = wrap.gain * rigel_diskLambertSeen(view.cone, m);
+    e = wrap.gain * rigel_diskLambertBranched(view.cone, m.x, m.y, m.z);
   }
   return rigel_diskFactor(view, m, e);
 }

@@ -1,13 +1,15 @@
-// The approximate forms of a near disk light, in the bisector frame of shader_disk.h and normalised by the vector
-// irradiance as shader_disk_irradiance.h is: wrap, the cheap Lambert form, and what 3-band SH leave out. A normal sees
-// the disk as it sees a sphere of the disk's angular size in its own direction. Parsed by C++ and GLSL.
+// A near disk light's Lambert irradiance by branches and the approximate forms of it, in the bisector frame of
+// shader_disk.h and normalised by the vector irradiance as shader_disk_irradiance.h is: wrap, the cheap Lambert form,
+// and what 3-band SH leave out. A normal sees the disk as it sees a sphere of the disk's angular size in its own
+// direction. Parsed by C++ and GLSL.
 #ifndef RIGEL_SHADER_DISK_NEAR_H
 #define RIGEL_SHADER_DISK_NEAR_H
 
-#include "rigel/shader_disk.h"
+#include "rigel/shader_disk_irradiance.h"
 #include "rigel/shader_near_cap.h"
 
 #ifdef __cplusplus
+#define rigel_diskLambertBranched diskLambertBranched
 #define rigel_diskSpread2 diskSpread2
 #define rigel_diskBands diskBands
 #define rigel_kernelBands kernelBands
@@ -18,6 +20,16 @@
 #define RigelDiskMoments DiskMoments<float>
 namespace rigel::detail {
 #endif
+
+/// rigel_diskLambert for those who may branch: most lights are not crossed by the horizon.
+RIGEL_FUNCTION float rigel_diskLambertBranched(RIGEL_IN(RigelDiskCone) cone, float nx, float ny,
+                                               float nz) RIGEL_NOEXCEPT {
+  float ex = cone.sx * cone.u * nx;
+  float ey = cone.sy * ny;
+  float ez = cone.cy * nz;
+  if (ez * ez >= ex * ex + ey * ey) return max(nz, 0.0f);
+  return rigel_diskLambert(cone, nx, ny, nz);
+}
 
 /// The square of the disk's angular size s along the normal, by which n.w varies over it. The last term stands for the
 /// fall of the cosine towards the rim; its factor and that of x below are fits.
