@@ -122,6 +122,16 @@ class LightBound : public testing::TestWithParam<Case> {
     return out;
   }
 
+  template <class Next>
+  void check(const char* kind, double median, Next next) {
+    // The falloff of invquad has bounds of its own for every light, and they take a hundred times as long.
+    const int few = GetParam().spec.starts_with("invquad") ? 200 : 1000;
+    Ratios ratios = measure(fullRun() ? 110000 : few, next);
+    print(kind, ratios);
+    EXPECT_LT(ratios.at(0.5), median);
+  }
+
+ private:
   void print(const char* kind, Ratios& r) {
     const char* domain = GetParam().domain == Domain::Kind::ball  ? "ball"
                          : GetParam().domain == Domain::Kind::box ? "box"
@@ -131,18 +141,16 @@ class LightBound : public testing::TestWithParam<Case> {
   }
 };
 
-TEST_P(LightBound, IsNeverBelowTheTruth) {
-  // The falloff of invquad has bounds of its own for every light, and they take a hundred times as long.
-  const int few = GetParam().spec.starts_with("invquad") ? 200 : 1000;
-  const int count = fullRun() ? 110000 : few;
-  const auto check = [&](const char* kind, double median, auto next) {
-    Ratios ratios = measure(count, next);
-    print(kind, ratios);
-    EXPECT_LT(ratios.at(0.5), median) << kind;
-  };
+TEST_P(LightBound, IsNeverBelowTheTruthOfSpheres) {
   check("sphere", GetParam().medianSphere, [](RandomLights& lights) { return lights.sphere(); });
+}
+TEST_P(LightBound, IsNeverBelowTheTruthOfPoints) {
   check("point", GetParam().medianPoint, [](RandomLights& lights) { return lights.point(); });
+}
+TEST_P(LightBound, IsNeverBelowTheTruthOfSpots) {
   check("spot", GetParam().medianSpot, [](RandomLights& lights) { return lights.spot(); });
+}
+TEST_P(LightBound, IsNeverBelowTheTruthOfDisks) {
   check("disk", GetParam().medianDisk, [](RandomLights& lights) { return lights.disk(); });
 }
 

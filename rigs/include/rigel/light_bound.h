@@ -3,10 +3,10 @@
 // Error means |E_rig(p, n) - E_sh(p, n)|, both three-band SH irradiance, largest over all unit normals n and over the
 // points p served: the box of the pose (or a ball in it), for poly and @lsq the surface, known by the anchors and the
 // extremes of their patches. Constant, gradient, lattice and mixed rigs: theorems (light_field.h, light_bound.cpp),
-// with a median of bound/true of 1.0 - 1.9 for point and sphere lights. Poly, @lsq and @gauss: the weights of the rig's
-// own operator times Chebyshev coefficients of the light (sample_bound.cpp), 2 - 16, checked rather than proven.
-// invquad: for the falloff the rig has when LightBounds is made (Rig::adapt); its weights are bounded by theorem
-// (falloff_weights.h), which is loose. Figures: rigs/README.md.
+// with a median of bound/true of 1.0 - 1.9 for point and sphere lights, 1.1 - 2.2 for disks (disk_bound.cpp). Poly,
+// @lsq and @gauss: the weights of the rig's own operator times Chebyshev coefficients of the light (sample_bound.cpp),
+// 2 - 16, checked rather than proven. invquad: for the falloff the rig has when LightBounds is made (Rig::adapt); its
+// weights are bounded by theorem (falloff_weights.h), which is loose. Figures: rigs/README.md.
 #pragma once
 
 #include <rigel/light.h>
@@ -96,10 +96,10 @@ struct BoundPlan {
 
 /// The bounds of one rig in one pose. Made once a frame and object: 0.2 us, for poly, @lsq and @gauss 7 to 70 us (K 6
 /// to 20), for invquad 70 to 550 (the steeper its falloff, the more). A light costs 70 - 160 ns (spot 170 - 310, but 1
-/// to 2.5 us where it lights only a part of the object), of poly, @lsq and @gauss 230 - 500 (spot 330 - 600); a
-/// projection takes 42 - 66. `rigel bench --filter bound` measures some. Nothing allocates. Results are finite,
-/// continuous in the light and in poses that are not exactly flat, and 0 for lights that hold a NaN or are infinitely
-/// far.
+/// to 2.5 us where it lights only a part of the object; disk 240 - 310), of poly, @lsq and @gauss 230 - 500 (spot 330 -
+/// 600, disk 420 - 490); a projection takes 42 - 66. `rigel bench --filter bound` measures some. Nothing allocates.
+/// Results are finite, continuous in the light and in poses that are not exactly flat, and 0 for lights that hold a NaN
+/// or are infinitely far.
 class LightBounds {
  public:
   /// `wrap` is that of the object's materials (the one with the larger bound where they differ). `radius` [m]: of a
