@@ -5,10 +5,10 @@
 //
 //   q_lm = sx sy 4 int_0^{pi/2} h_lm(c(psi)) dpsi,   c^2 = cx^2 cos^2 psi + cy^2 sin^2 psi,
 //
-// smooth everywhere but on the rim itself, so that a few nodes do. ax <= ay are the cone's half-angles,
-// s and c their sine and cosine. Lengths are in disk radii: the receiver is at distance rho from the axis and at height
-// z above the face. All of it is finite for rho and z from 0 to kRigelDiskReach; z = 0 is the limit from above. Parsed
-// by C++ and GLSL.
+// smooth everywhere but on the rim itself, so that a few nodes do. ax <= ay are the cone's half-angles, s and c their
+// sine and cosine. Lengths are in disk radii: the receiver is at distance rho from the axis and at height z above the
+// face. All of it is finite for rho and z from 0 to kRigelDiskReach; z = 0 is the limit from above. Parsed by C++ and
+// GLSL.
 #ifndef RIGEL_SHADER_DISK_H
 #define RIGEL_SHADER_DISK_H
 
@@ -162,10 +162,11 @@ RIGEL_GENERIC_BANDS RIGEL_FUNCTION RIGEL_OF(DiskMoments)
   return q;
 }
 
-// Nodes and weights that are best for just these integrands, found by minimising the largest error over all cones whose
-// rim is 1e-2 R away and more, and six times it at 1e-3 R; with a node at psi = 0, and the integrals of cos 2 psi and
-// cos 4 psi exact, which is all there is on the axis. A fit; its errors are in disk.h. Gauss-Legendre rules of as many
-// nodes are 20 (four), 200 (six) and 2000 times (eight) worse.
+// Nodes and weights that are best for just these integrands: the largest error over all cones whose rim is 1e-2 R away
+// and more, and a sixth of it at 1e-3 R, is least (5.5e-5, 2.6e-7, 7.5e-9); with a node at psi = 0, and the integrals
+// of cos 2 psi and cos 4 psi exact, which is all there is on the axis. tools/study/disk_node_study.cpp finds them; its
+// minimum is flat, so that digits from the third on depend on its random starts. Gauss-Legendre rules of as many nodes
+// are 20 (four), 200 (six) and 2000 times (eight) worse.
 
 RIGEL_GENERIC_BANDS RIGEL_FUNCTION RIGEL_OF(DiskMoments)
     rigel_diskMoments4(RIGEL_IN(RIGEL_OF(DiskCone)) cone) RIGEL_NOEXCEPT {
