@@ -131,7 +131,7 @@ class WrapContour {
 
   double irradiance() const noexcept {
     if (d_.sy < kSmall) return flat();
-    double cuts[kSamples];
+    double cuts[2 * kSamples];
     const int count = horizonCuts(cuts);
     return std::max(0.0, count > 0 ? pieces(cuts, count) : wholeRim());
   }
@@ -182,7 +182,7 @@ class WrapContour {
     return sum;
   }
 
-  /// psi where x = -a, ascending; of a pair closer than the samples none, which costs the quadrature time, no digits.
+  /// psi where x = -a, ascending.
   int horizonCuts(double* cuts) const noexcept {
     const auto above = [&](double psi) noexcept {
       const double c = std::cos(psi);
@@ -190,15 +190,53 @@ class WrapContour {
       return d_.cx * std::sqrt(c * c + square(d_.u * s)) * d_.nz + d_.sx * c * d_.nx + d_.sy * s * d_.ny + a_;
     };
     const double step = 2 * kPi / kSamples;
+    double sample[kSamples + 2];
+    for (int i = 0; i < kSamples + 2; ++i) sample[i] = above(i * step);
     int count = 0;
-    double hi = above(0.0);
     for (int i = 0; i < kSamples; ++i) {
-      const double lo = hi;
-      hi = above((i + 1) * step);
-      if ((lo > 0) == (hi > 0)) continue;
-      cuts[count++] = rootBetween(above, i * step, lo, (i + 1) * step, hi);
+      const double lo = sample[i];
+      const double mid = sample[i + 1];
+      const double hi = sample[i + 2];
+      if ((lo > 0) != (mid > 0)) {
+        cuts[count++] = rootBetween(above, i * step, lo, (i + 1) * step, mid);
+        continue;
+      }
+      // Towards the horizon and back: perhaps across it in between.
+      if ((mid > 0) != (hi > 0) || std::abs(mid) > std::min(std::abs(lo), std::abs(hi))) continue;
+      const double tip = extremumBetween(above, i * step, (i + 2) * step, mid > 0);
+      const double atTip = above(tip);
+      if ((atTip > 0) == (mid > 0)) continue;
+      cuts[count++] = rootBetween(above, i * step, lo, tip, atTip);
+      cuts[count++] = rootBetween(above, tip, atTip, (i + 2) * step, hi);
     }
     return count;
+  }
+
+  /// Where f is least, or greatest, by the golden section.
+  template <class Function>
+  static double extremumBetween(const Function& f, double lo, double hi, bool least) noexcept {
+    constexpr double kGolden = 0.6180339887498949;
+    const double sign = least ? 1 : -1;
+    double a = hi - kGolden * (hi - lo);
+    double b = lo + kGolden * (hi - lo);
+    double atA = sign * f(a);
+    double atB = sign * f(b);
+    for (int i = 0; i < 24; ++i) {
+      if (atA < atB) {
+        hi = b;
+        b = a;
+        atB = atA;
+        a = hi - kGolden * (hi - lo);
+        atA = sign * f(a);
+      } else {
+        lo = a;
+        a = b;
+        atA = atB;
+        b = lo + kGolden * (hi - lo);
+        atB = sign * f(b);
+      }
+    }
+    return atA < atB ? a : b;
   }
 
   /// The regula falsi, an end that stays put counting half (Illinois).
@@ -262,7 +300,7 @@ class WrapContour {
     return std::max(kTolerance * kPi * d.sx * d.sy, 1e-14 * (d.sy * d.cx * d.nx + d.sx * d.ny));
   }
 
-  static constexpr double kTolerance = 1e-8;
+  static constexpr double kTolerance = 1e-10;
   static constexpr double kSmall = 1e-5;
   static constexpr int kMaxDepth = 24;
   static constexpr int kSamples = 16;
