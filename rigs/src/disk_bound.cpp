@@ -49,9 +49,13 @@ class DiskBound {
   }
 
  private:
+  // Of the object's radius: how far behind the plane its light is faded in.
+  static constexpr double kMargin = 0.1;
+
   /// In time for weights that move at a limited rate.
   float contact() const noexcept {
     constexpr double kOuter = 0.9, kInner = 0.2;
+    if (!(plan_.radius > 0)) return 0;
     const double x = std::clamp((kOuter * plan_.radius - served_.gap) / ((kOuter - kInner) * plan_.radius), 0.0, 1.0);
     return static_cast<float>(x * x * (3 - 2 * x));
   }
@@ -71,14 +75,10 @@ class DiskBound {
   }
   DiskField::Means means(const Front& front) const noexcept { return field_.means(front.distance, sineTo(front)); }
 
-  // A jump of slope at the disk's plane.
-
+  /// The slope jumps within the region,
   bool straddles() const noexcept { return served_.low < 0; }
-  /// Of which at most this much is to be seen in a function that is linear where nothing jumps.
+  /// and at most over this height.
   double depth() const noexcept { return std::min(-served_.low, served_.high); }
-
-  // Of the object's radius: how far behind the plane its light is faded in.
-  static constexpr double kMargin = 0.1;
 
   double tensorError() const noexcept {
     const double vector = field_.vector(nodes_);

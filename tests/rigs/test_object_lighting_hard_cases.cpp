@@ -132,6 +132,9 @@ std::vector<HardCase> hardCases() {
   cases.push_back({"a plane", ellipsoidBody({1.5f, 0, 0.7f}, 160), usual});
   cases.push_back({"a line", ellipsoidBody({1.5f, 0, 0}, 160), usual});
   cases.push_back({"one point", ellipsoidBody({}, 1, {1, 2, 3}), usual});
+  cases.push_back({"one point on the face of a disk", ellipsoidBody({}, 1, {1, 2, 3}),
+                   setOf(DiskLight{{1, 2, 3}, {0, 1, 0}, 0.5f, {1, 1, 1}}, PointLight{{1, 4, 3}, {9, 9, 9}}), true,
+                   false});
   cases.push_back({"the same point, repeated", ellipsoidBody({}, 50, {1, 2, 3}), usual});
   return cases;
 }

@@ -34,9 +34,10 @@ struct BoundedRig {
   }
 };
 
-enum class LightKind { sphere, litSpot, rimSpot };
+enum class LightKind { sphere, litSpot, rimSpot, disk };
 
-/// One to ten metres off; spots light all of the body, or have the middle of their blend on its centre.
+/// One to ten metres off; spots light all of the body, or have the middle of their blend on its centre; disks face it
+/// 45 degrees off.
 template <class Light>
 std::vector<Light> lightsAround(LightKind kind) {
   constexpr int kCount = 64;
@@ -48,6 +49,9 @@ std::vector<Light> lightsAround(LightKind kind) {
     if (length(p) < 2) continue;
     if constexpr (std::is_same_v<Light, SphereLight>) {
       lights.push_back({p, 0.1f, {3, 2, 1}});
+    } else if constexpr (std::is_same_v<Light, DiskLight>) {
+      const Vec3 across = cross(p, {0.3f, 0.5f, 0.8f});
+      lights.push_back({p, across * (length(p) / length(across)) - p, 0.3f, {3, 2, 1}});
     } else {
       const Vec3 across = cross(p, {0.3f, 0.5f, 0.8f});
       const Vec3 aside = across * (length(p) / length(across));
@@ -87,6 +91,7 @@ void addBoundCases(std::vector<BenchCase>& cases) {
                        }
                      }});
     addLightCase<SphereLight>(cases, spec, rig, "sphere", LightKind::sphere);
+    addLightCase<DiskLight>(cases, spec, rig, "disk", LightKind::disk);
     addLightCase<SpotLight>(cases, spec, rig, "spot", LightKind::litSpot);
     addLightCase<SpotLight>(cases, spec, rig, "spot_rim", LightKind::rimSpot);
   }
