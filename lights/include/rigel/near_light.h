@@ -52,8 +52,8 @@ Rgb nearIrradiance(const NearLight& light, Vec3 p, Vec3 n, float wrap = 0) noexc
 
 /// Lambert without inverse function or branch: within 0.5 % of the peak for r/d <= 0.7, 1.3 % at any distance. The
 /// clamped cosine blurred into a parabola between x = -s and x = s, corrected so that a sphere that touches is exact.
-/// Disks take the parabola of a sphere as large as they are along the normal: within 7 % farther than half a radius
-/// from the rim, 20 % near it.
+/// Disks take the parabola of a sphere as large as they are along the normal: within 12 % of the peak, 20 % closer than
+/// 0.1 radii to the rim, 4 % on the face, 0.04 % beyond 20 radii.
 Rgb cheapIrradiance(const NearLight& light, Vec3 p, Vec3 n) noexcept;
 
 /// What 3-band SH leave out of the light: to be added at p where the light itself is in a rig. The kernel less its own
