@@ -86,6 +86,7 @@ TEST(RigAllocation, AFrameAllocatesNothing) {
       const float t = static_cast<float>(frame);
       lights.clear();
       lights.add(SphereLight{{2, 3 - t, 1}, 0.3f, {20, 15, 10}});
+      lights.add(DiskLight{{1, 2 - t, 0}, {0.1f, -1, t}, 0.4f, {5, 4, 3}});
       lights.add(PointLight{{t, 1, 1}, {3, 4, 5}});
       lights.add(SpotLight{{0, 4, t}, {0, -1, 0}, {30, 30, 30}});
       lights.add(DirectionalLight{{0, -1, t}, {1, 1, 1}});
@@ -130,6 +131,7 @@ TEST(RigAllocation, ObjectLightingAllocatesNothingAfterItsFirstFrame) {
   const auto lightsAt = [](float t, int count, LightSet& lights) {
     lights.clear();
     lights.add(DirectionalLight{{0, -1, t}, {1, 1, 1}});
+    lights.add(DiskLight{{2, 2 - t, 0}, {-0.5f, -1, t}, 0.4f, {5, 4, 3}});
     lights.add(SpotLight{{0, 4, t}, {0, -1, 0}, {30, 30, 30}});
     for (int i = 0; i < count; ++i)
       lights.add(

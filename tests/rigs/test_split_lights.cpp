@@ -34,6 +34,27 @@ TEST(SplitLights, SharesSumToTheWholeLight) {
   }
 }
 
+TEST(SplitLights, DisksAreSharedLast) {
+  LightSet lights = oneOfEach();
+  lights.add(DiskLight{{0, 1.5f, 0.2f}, {0.1f, -1, 0}, 0.5f, {4, 3, 2}});
+  lights.add(DiskLight{{0, -1, 0.2f}, {0.1f, -1, 0}, 0.5f, {4, 3, 2}, true});
+  LightSet far;
+  std::vector<NearLight> near;
+  splitLights(lights, std::vector<float>{0, 0, 0, 0, 0.25f, 1}, far, near);
+  ASSERT_EQ(far.diskCount(), 1);
+  EXPECT_EQ(far.disk(0).radiance, (Rgb{3, 2.25f, 1.5f}));
+  ASSERT_EQ(near.size(), 2u);
+  EXPECT_EQ(near[0].kind, NearLight::Kind::disk);
+  EXPECT_EQ(near[0].share, 0.25f);
+  EXPECT_EQ(near[1].cosOuter, -1);
+  for (const Vec3 n : {Vec3{0, 1, 0}, Vec3{0.6f, 0.8f, 0}, Vec3{0, -0.6f, 0.8f}}) {
+    const RgbD whole = exactIrradiance(lights, {}, n);
+    RgbD parts = exactIrradiance(far, {}, n);
+    for (const NearLight& light : near) parts += nearIrradiance(light, {}, n) * 1.0;
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(parts[c], whole[c], 1e-5 * (1 + whole[c]));
+  }
+}
+
 TEST(SplitLights, EachLightIsWhereItsWeightSays) {
   const LightSet lights = oneOfEach();
   LightSet far;
