@@ -18,6 +18,8 @@ std::string SceneCase::text() const {
   if (bands != 3) text += fmt::format(" --bands {}", bands);
   if (!lights.empty()) text += " --lights " + lights;
   static constexpr const char* kStorages[] = {"float32", "float16", "texture32", "texture16"};
+  if (wrappedDisk != kWrappedDisk)
+    text += wrappedDisk == Effect::light_near_diskTable ? " --disks table" : " --disks quadrature";
   if (storage != RigStorage::float32) text += fmt::format(" --storage {}", kStorages[static_cast<int>(storage)]);
   return text;
 }
@@ -38,6 +40,7 @@ RenderOptions renderOptions(const SceneCase& what) {
   options.height = 180;
   options.supersampling = 1;
   options.storage = what.storage;
+  options.wrappedDisk = what.wrappedDisk;
   return options;
 }
 

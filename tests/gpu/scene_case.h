@@ -18,6 +18,7 @@ struct SceneCase {
   int bands = 3;
   std::optional<LightingTarget> target = {};
   std::string lights = {};  // borrowed from this scene
+  Effect wrappedDisk = kWrappedDisk;
 
   /// As a user types it.
   std::string text() const;

@@ -310,6 +310,10 @@ TEST(FrameEffects, OnlyStagesThatAreCalledForRun) {
        {"refresh", "project", "fit"},
        {E::rig_constant, E::material_wrap},
        {E::light_near_wrap, E::rig_tensor}},
+      {{.scene = "sample:corridor", .rig = "constant", .near = "1", .frames = {30, 30, 1}, .wrap = 0.5f},
+       {"refresh", "bound", "choose", "project", "fit"},
+       {E::light_disk, E::light_near_disk, E::light_near_diskQuadrature},
+       {E::light_near_diskTable, E::light_near_sphere, E::light_sphere}},
       {{"sample:touch", "auto", "", frames},
        {"refresh", "bound", "choose", "project", "fit"},
        {E::rig_auto, E::rig_poly},
@@ -333,6 +337,28 @@ TEST(FrameEffects, OnlyStagesThatAreCalledForRun) {
                                         {LightingStage::estimate, FitTimes::kEstimate}})
         EXPECT_TRUE(!result.stages.stages[time] || callsFor(stage, result.effects, asked)) << FitTimes::kNames[time];
     }
+  }
+}
+
+TEST(FrameEffects, TheTableOfDisksIsOpenedForItsEffectAlone) {
+  struct TableCase {
+    const char* scene;
+    float wrap;
+    Effect bands;
+    bool opened;
+  };
+  constexpr Effect kTable = Effect::light_near_diskTable, kQuadrature = Effect::light_near_diskQuadrature;
+  for (const auto& [scene, wrap, bands, opened] : {TableCase{"sample:corridor", 0.5f, kTable, true},
+                                                   {"sample:corridor", 0.5f, kQuadrature, false},
+                                                   {"sample:corridor", 0.0f, kTable, false},
+                                                   {"sample:street", 0.5f, kTable, false}}) {
+    SceneCase what{.scene = scene, .rig = "constant", .near = "1", .frames = {30, 30, 1}, .wrap = wrap};
+    what.wrappedDisk = bands;
+    SCOPED_TRACE(what.text());
+    SceneRender render = sceneRender(renderOptions(what));
+    EXPECT_EQ(render.hasDiskTable(), opened);
+    const Effects effects = must(render.render(30)).effects;
+    EXPECT_EQ(effects.has(kTable), opened);
   }
 }
 

@@ -91,6 +91,26 @@ TEST(GpuPictures, PassingLights) {
   if (fullRun()) expectSame({{"sample:street", "poly:6", "auto", every(40, 5)}});
 }
 
+TEST(GpuPictures, DisksOverheadAndEdgeOn) {
+  // A head under panels, and in the plane of a sign of two sides.
+  expectSame(
+      chosen({{"sample:corridor", "poly:6", "2", every(75, 5)}, {"sample:corridor", "auto", "auto", every(75, 5)}}, 2));
+}
+
+TEST(GpuPictures, DisksThatGrazeAndTouch) {
+  std::vector<SceneCase> cases;
+  for (const float wrap : {0.0f, 0.5f})
+    for (const Effect bands : {Effect::light_near_diskTable, Effect::light_near_diskQuadrature})
+      cases.push_back({.scene = "sample:gallery",
+                       .rig = "poly:6",
+                       .near = "4",
+                       .frames = every(140, 5),
+                       .wrap = wrap,
+                       .wrappedDisk = bands});
+  // Lambert reads no table.
+  expectSame({cases[0], cases[3], cases[2]});
+}
+
 TEST(GpuPictures, EveryKindOfRig) {
   std::vector<SceneCase> cases;
   for (const char* rig : {"constant",

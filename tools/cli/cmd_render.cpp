@@ -31,6 +31,7 @@ struct Arguments {
   std::string size = "1280x720";
   int supersampling = 2;
   std::string storage = "float32";
+  std::string disks = "quadrature";
   bool perVertex = false;
   std::string against;
   bool validate = false;
@@ -44,6 +45,8 @@ const std::map<std::string, RigStorage> kStorages{{"float32", RigStorage::float3
                                                   {"float16", RigStorage::float16},
                                                   {"texture32", RigStorage::texture32},
                                                   {"texture16", RigStorage::texture16}};
+const std::map<std::string, Effect> kDiskBands{{"quadrature", Effect::light_near_diskQuadrature},
+                                               {"table", Effect::light_near_diskTable}};
 const std::map<std::string, RenderReference> kReferences{
     {"", RenderReference::none}, {"cpu", RenderReference::cpu}, {"truth", RenderReference::truth}};
 
@@ -68,6 +71,7 @@ Result<RenderOptions> parse(const Arguments& a) {
     return Error{"textures hold lattices alone, without slopes, @gauss or cubic blends",
                  "--storage " + a.storage + " --rig " + a.rig};
   options.perVertex = a.perVertex;
+  options.wrappedDisk = kDiskBands.at(a.disks);
   options.against = kReferences.at(a.against);
   if (!a.noShaderCache) options.shaderCache = userCacheFile("shaders");
   const std::string extension = std::filesystem::path(a.out).extension();
@@ -251,6 +255,9 @@ Command addRender(CLI::App& root) {
   app->add_option("--storage", arguments->storage, "How coefficients reach the shader; texture: lattice rigs alone")
       ->capture_default_str()
       ->check(CLI::IsMember(namesOf(kStorages)));
+  app->add_option("--disks", arguments->disks, "Where shaders take the bands of near disk lights from, on what wraps")
+      ->check(CLI::IsMember(namesOf(kDiskBands)))
+      ->capture_default_str();
   app->add_flag("--per-vertex", arguments->perVertex, "Shade vertices instead of pixels");
   app->add_option("--against", arguments->against, "Compare with the CPU path (cpu) or exact irradiance (truth)")
       ->check(CLI::IsMember(namesOf(kReferences)));

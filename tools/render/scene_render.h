@@ -43,6 +43,8 @@ class SceneRender {
 
   const std::vector<std::string>& notes() const { return scene_->notes(); }
   int pipelines() const { return renderer_->pipelines(); }
+  /// Whether the table of disk lights was opened and uploaded.
+  bool hasDiskTable() const { return renderer_->hasDiskTable(); }
   /// By the clock: buffers, pipelines and their first draws; not the scene.
   double loadMilliseconds() const { return loadMilliseconds_; }
 
