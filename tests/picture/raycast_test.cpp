@@ -218,15 +218,19 @@ TEST(AddLights, ShowsEveryPlacedLightWithItsColour) {
   spot.intensity = {0, 3, 0};
   lights.add(spot);
   lights.add(SphereLight{{0.6f, 0, 0}, 0.2f, {0, 0, 5}});
+  lights.add(DiskLight{{0, 0.6f, 0}, {0, 0, 2}, 0.2f, {3, 0, 3}, false});    // faces the camera
+  lights.add(DiskLight{{0, -0.6f, 0}, {0, 0, -2}, 0.2f, {3, 0, 3}, false});  // its back
   RayCaster caster;
   addLights(caster, lights, 0.1f, 2);
   const VisibleSurface surface = caster.cast(lookDownZ(63, 63, 1), 1);
   std::map<std::uint32_t, Rgb> seen;
   for (const VisibleSample& s : surface.samples) seen[s.part] = s.emission;
-  ASSERT_EQ(seen.size(), 3u) << "a directional light has no place";
+  ASSERT_EQ(seen.size(), 5u) << "a directional light has no place";
   EXPECT_EQ(seen[0], (Rgb{2, 1, 0}));
   EXPECT_EQ(seen[1], (Rgb{0, 2, 0}));
   EXPECT_EQ(seen[2], (Rgb{0, 0, 2}));
+  EXPECT_EQ(seen[3], (Rgb{2, 0, 2}));
+  EXPECT_EQ(seen[4], Rgb{});
 }
 
 }  // namespace

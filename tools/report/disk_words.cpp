@@ -16,7 +16,7 @@ DiskUse useOf(const LightUse& light, const ObjectReport& object, const RigReport
   if (near == 0 && !inRig) return use;
   use.method = near == 0 ? "quadrature-6" : inRig ? "near, quadrature-6" : "near";
   if (near > 0) {
-    use.why += wraps ? "; near: the closed form, and where the material wraps five bands with what the kernel has above"
+    use.why += wraps ? "; near: the closed form, or five bands and a rest where the material wraps"
                      : "; near: the closed form";
   }
   if (inRig) use.why += near > 0 ? "; in the rig: 6 nodes" : "; in the rig by 6 nodes";
@@ -27,8 +27,7 @@ const DiskMethodRow& row(const std::vector<DiskMethodRow>& methods, std::string_
   return *std::ranges::find(methods, name, &DiskMethodRow::method);
 }
 
-/// "0.0021 %": errors here are too small for two decimals.
-std::string small(double relative) { return fmt::format("{:.2g} %", 100 * relative); }
+std::string small(double relative) { return smallPercentage(relative) + " %"; }
 
 }  // namespace
 

@@ -2,6 +2,7 @@
 
 #include "report/budget_words.h"
 #include "report/verdict.h"
+#include "report/wording.h"
 
 #include <fmt/format.h>
 
@@ -100,9 +101,6 @@ std::string budgetText(const SceneReport& scene, const SharedBudget& budget) {
   return text;
 }
 
-/// Errors of the better methods are too small for hundredths of a percent.
-std::string threeDigits(double relative) { return fmt::format("{:.2g}", 100 * relative); }
-
 /// What became of the disks near the object: "auto, bust: 3 of 28 disks near at times (sconce 4, ...)".
 std::string nearDisks(const DiskReport& disks, const ObjectReport& object, const std::string& rig) {
   constexpr std::size_t kNamed = 6;
@@ -128,9 +126,9 @@ std::string diskText(const SceneReport& scene) {
       disks.pairs);
   std::vector<Row> rows = {{"  method", "SH RMS %", "max %", "irradiance RMS %", "max %", "ns"}};
   for (const DiskMethodRow& row : disks.methods) {
-    rows.push_back({"  " + row.method, row.sh ? threeDigits(row.sh->rms) : "-", row.sh ? threeDigits(row.sh->max) : "-",
-                    threeDigits(row.irradiance.rms), threeDigits(row.irradiance.max),
-                    fmt::format("{:.1f}", row.nanoseconds)});
+    rows.push_back({"  " + row.method, row.sh ? smallPercentage(row.sh->rms) : "-",
+                    row.sh ? smallPercentage(row.sh->max) : "-", smallPercentage(row.irradiance.rms),
+                    smallPercentage(row.irradiance.max), fmt::format("{:.1f}", row.nanoseconds)});
   }
   text += aligned(rows) + "  " + disks.choice + "\n";
   for (const ObjectReport& object : scene.objects)

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace rigel::tools {
@@ -9,6 +10,14 @@ namespace rigel::tools {
 std::string percent(double relative) {
   const double value = 100 * relative;
   return value >= 99.95 || value == 0 ? fmt::format("{:.0f} %", value) : fmt::format("{:#.3g} %", value);
+}
+
+std::string smallPercentage(double relative) {
+  constexpr double kMostDecimals = 9;
+  const double value = 100 * relative;
+  if (!(value > 0)) return "0";
+  const double decimals = std::clamp(1 - std::floor(std::log10(value)), 0.0, kMostDecimals);
+  return fmt::format("{:.{}f}", value, static_cast<int>(decimals));
 }
 
 std::string counted(double number, std::string_view one, std::string_view many) {

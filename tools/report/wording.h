@@ -9,6 +9,9 @@ namespace rigel::tools {
 /// "4.70 %", "0 %", "120 %": three digits, as the page writes them.
 std::string percent(double relative);
 
+/// "0.000029": a percentage of which two digits count, however small, and never as a power of ten.
+std::string smallPercentage(double relative);
+
 /// "1 SH vector", "12 SH vectors", "3.4 SH vectors" (a mean).
 std::string counted(double number, std::string_view one, std::string_view many = {});
 

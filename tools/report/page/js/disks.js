@@ -1,6 +1,7 @@
 // Disk lights of a scene: what each method costs and errs, and which one each disk used, and why.
 
-const small = (relative) => (100 * relative).toPrecision(2).replace(/e-(\d)$/, 'e−$1');
+/** Two digits, however small, and never as a power of ten. */
+const small = (relative) => (relative > 0 ? (100 * relative).toFixed(Math.min(9, Math.max(0, 1 - Math.floor(Math.log10(100 * relative))))) : '0');
 
 const diskColumns = [
   {title: 'SH RMS', unit: '% of their norm', get: (row) => row.sh?.rms},
