@@ -74,7 +74,9 @@ ProjectionWithGradient<B> projectWithGradient(const DiskLight& light, Vec3 p) no
   detail::diskBands<B>(momentsOf<B>(view.cone), view, q);
 
   const double rim = std::hypot(disk.place.rho - 1, disk.place.z);
-  const double held = std::min(1.0, rim / static_cast<double>(kMinGradientRim));
+  const double sine = disk.place.z / std::hypot(disk.place.rho, disk.place.z);
+  const double held = std::min(1.0, rim / static_cast<double>(kMinGradientRim)) *
+                      std::min(1.0, sine / static_cast<double>(kMinGradientSine));
   const double perMetre = held * disk.powerScale / disk.radius;
   const detail::DiskPlace<double>& at = disk.place;
   const Vec3d axes[3] = {{at.xx, at.xy, at.xz}, {at.yx, at.yy, at.yz}, {at.zx, at.zy, at.zz}};

@@ -5,6 +5,7 @@
 // nothing, the cap: ranges of the light over points and samples. For samples anywhere: sample_bound.cpp with the sphere
 // that holds the disk, and the lobe.
 #include <rigel/light_bound.h>
+#include <rigel/project.h>
 
 #include "disk_field.h"
 #include "interpolation_bound.h"
@@ -87,7 +88,10 @@ class DiskBound {
     const double cap = difference(light(field_.vector(served_)), {rig.down + slopes, rig.up + slopes});
     double plain = boxError();
     if (plan_.kind == BoundPlan::Kind::ball) plain = std::min(plain, ballError());
-    return std::min(plain + secantError(), cap);
+    // Slopes come in slowly at the plane (project.h).
+    const double held = std::clamp(nodes_.cosine.lo / double{kMinGradientSine}, 0.0, 1.0);
+    const double lost = plan_.numeric || !(held < 1) ? 0 : (1 - held) * slopes;
+    return std::min(plain + secantError() + lost, cap);
   }
 
   /// What slopes add to the rig's values.

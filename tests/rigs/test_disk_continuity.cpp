@@ -130,6 +130,20 @@ INSTANTIATE_TEST_SUITE_P(Targets, DiskContinuity,
                                          Aim{"lattice:3x2x2", "latticeNear2", Kind::none, 0, 2}),
                          [](const auto& aim) { return aim.param.name; });
 
+/// Where nothing is near, the rig alone must pass the plane of a distant disk, at which the slope of its light jumps.
+TEST(DiskContinuityCases, RigsPassThePlaneOfADistantDisk) {
+  const Body body = ellipsoidBody(kHalf, 100);
+  LightSet lights;
+  lights.add(DiskLight{{2.5f, 0, 0}, {0, 1, 0.05f}, 0.4f, {20, 20, 20}});
+  const Passage passage{"across the plane", {0, -1.5f, 0}, {0, 2, 0}};
+  for (const std::string spec : {"gradient", "mixed:l3,g,c", "lattice:3x2x2", "poly:6"}) {
+    LitBody<3> lit(spec, body, {});
+    const Jump slow = drive(lit, body, lights, passage, 60), fast = drive(lit, body, lights, passage, 480);
+    std::printf("  %s alone: jump %.4f %.4f, %.2f\n", spec.c_str(), slow.error, fast.error, fast.error / slow.error);
+    EXPECT_LE(fast.error, std::max(0.25 * slow.error, kNoise)) << spec;
+  }
+}
+
 /// The same lights, near or far as the larger part of each is.
 TEST(DiskContinuityCases, AHardSwitchFailsTheSameTest) {
   const Body body = ellipsoidBody(kHalf, 100);

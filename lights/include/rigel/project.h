@@ -36,9 +36,12 @@ RadianceSH<B> project(const DiskLight& light, Vec3 p, float footprint = 0) noexc
 
 /// SH and its derivative by p. Range window and spot cone enter by the product rule. The true derivative is unbounded
 /// at a sphere's surface (1/c): c is held >= kMinGradientCosine there; and at a disk's rim, where it is the true one
-/// times min(1, distance / (kMinGradientRim radius)). Error of the largest component: 1e-6, disks 2e-6 outside of that.
+/// times min(1, distance / (kMinGradientRim radius)). The slope of a disk's light jumps at the disk's plane: it comes
+/// in with min(1, sine / kMinGradientSine), sine the height over the plane per distance from the centre, so that
+/// gradient rigs which pass the plane do not. Error of the largest component: 1e-6, disks 2e-6 outside of that.
 inline constexpr float kMinGradientCosine = 0.1f;
 inline constexpr float kMinGradientRim = 0.01f;
+inline constexpr float kMinGradientSine = 0.1f;
 
 template <int B>
 struct ProjectionWithGradient {
