@@ -113,6 +113,7 @@ TEST_P(EverySample, HasFiniteLightsOnNodes) {
     poseScene(scene_, scene_.animations.empty() ? kRestPose : 0, 4.0 * frame / 30, pose);
     PosedLights lights;
     poseLights(scene_, pose, lights);
+    ASSERT_EQ(lights.set.size(), static_cast<int>(scene_.lights.size()));
     ASSERT_EQ(lights.names.size(), scene_.lights.size());
     const auto finite = [](Vec3 v, Rgb c) {
       return std::isfinite(v.x + v.y + v.z) && std::isfinite(c.r + c.g + c.b) && c.r >= 0 && c.g >= 0 && c.b >= 0;

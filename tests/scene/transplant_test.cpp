@@ -132,6 +132,12 @@ TEST(Transplant, RefusesWhatCannotLendOrTake) {
   EXPECT_EQ(onPoint.error().line(), "square: its objects have no extent to scale lights by");
 }
 
+TEST(Transplant, DisksAloneCanBeLent) {
+  Scene scene = square(1, {});
+  addLight(scene, DiskLight{{}, {0, 0, -1}, 0.2f, {2, 4, 8}}, {0, 0, 1});
+  EXPECT_TRUE(LightDonor::create(scene));
+}
+
 TEST(Transplant, AllSceneryCountsAsTheObject) {
   Scene scenery = donorScene();
   scenery.nodes[0].isStatic = true;
