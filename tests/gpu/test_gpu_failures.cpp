@@ -238,6 +238,7 @@ TEST(GpuWork, ALostDeviceIsReportedAndTakesNoMoreWork) {
 }
 
 TEST(GpuWork, ADeviceLostWhileWorkingIsReported) {
+  gpu();  // keeps the driver loaded, so that what it loses with a lost device is known for its own
   const GpuContext own = must(GpuContext::create({.preferCpuDevice = true}));
   GpuCommands commands = must(GpuCommands::create(own));
   must(commands.begin());
