@@ -97,14 +97,9 @@ class DiskBound {
   /// What slopes add to the rig's values.
   double slopeRange(double vector) const noexcept {
     if (plan_.gradients == 0) return 0;
-    double sum = 0, square = 0;
-    for (const BoundPlan::Axis& axis : plan_.axis) {
-      if (!(axis.gradient > 0)) continue;
-      sum += axis.gradient / axis.half;
-      square += axis.gradient * axis.gradient;
-    }
-    if (plan_.numeric) return sum * (field_.perVector() + field_.lobe()) * vector / (2 * kSecant);
-    const double reach = plan_.kind == BoundPlan::Kind::ball ? plan_.radius : std::sqrt(square);
+    const SlopeReach slopes = slopeReach(plan_);
+    if (plan_.numeric) return slopes.halves * (field_.perVector() + field_.lobe()) * vector / (2 * kSecant);
+    const double reach = plan_.kind == BoundPlan::Kind::ball ? plan_.radius : slopes.farthest;
     const double smooth = field_.area() * field_.slope(nodes_.cosine) * means(nodes_.front[0]).cube;
     return nodes_.share * reach * std::min(smooth, field_.rimSlope(nodes_));
   }

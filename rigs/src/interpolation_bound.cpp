@@ -84,4 +84,16 @@ double secantError(const BoundPlan& plan, const Region& nodes, const LightField&
   return sum;
 }
 
+SlopeReach slopeReach(const BoundPlan& plan) noexcept {
+  SlopeReach reach;
+  double square = 0;
+  for (const BoundPlan::Axis& axis : plan.axis) {
+    if (!(axis.gradient > 0)) continue;
+    reach.halves += axis.gradient / axis.half;
+    square += axis.gradient * axis.gradient;
+  }
+  reach.farthest = std::sqrt(square);
+  return reach;
+}
+
 }  // namespace rigel

@@ -24,6 +24,13 @@ double ballError(const detail::BoundPlan& plan, const Region& served, const Ligh
 /// What secants (@numeric) in several directions add to the error of slopes.
 double secantError(const detail::BoundPlan& plan, const Region& nodes, const LightField& field) noexcept;
 
+/// How far slopes reach from their samples, over the axes that have them.
+struct SlopeReach {
+  double halves = 0;    // sum over the axes, in half extents of the box
+  double farthest = 0;  // m
+};
+SlopeReach slopeReach(const detail::BoundPlan& plan) noexcept;
+
 /// Half extent at which @numeric takes its secants (tensor_model.cpp).
 inline constexpr double kSecant = 0.77459667;
 

@@ -63,15 +63,10 @@ class Bound {
   /// What slopes add to the rig's values where the light is modulated by up to `most` with slope `slope` at the nodes.
   double slopeRange(double most, double slope) const noexcept {
     if (plan_.gradients == 0) return 0;
-    double sum = 0, square = 0;
-    for (const BoundPlan::Axis& axis : plan_.axis) {
-      if (!(axis.gradient > 0)) continue;
-      sum += axis.gradient / axis.half;
-      square += axis.gradient * axis.gradient;
-    }
-    if (plan_.numeric) return sum * most * (1 + wrap_.lobe) * nodePeak_ / (2 * kSecant);
+    const SlopeReach slopes = slopeReach(plan_);
+    if (plan_.numeric) return slopes.halves * most * (1 + wrap_.lobe) * nodePeak_ / (2 * kSecant);
     const bool ball = plan_.kind == BoundPlan::Kind::ball;
-    const double reach = ball ? ballRadius() : std::sqrt(square);
+    const double reach = ball ? ballRadius() : slopes.farthest;
     return reach * (most * heldSlope() + slope * nodePeak_);
   }
 
