@@ -21,6 +21,7 @@ void LightSet::clear() noexcept {
     clearAll(l->x, l->y, l->z, l->radius, l->range, l->r, l->g, l->b);
   clearAll(cone_.dx, cone_.dy, cone_.dz, cone_.inner, cone_.outer);
   clearAll(face_.dx, face_.dy, face_.dz, face_.twoSided);
+  for (std::vector<std::uint32_t>& kind : groups_) kind.clear();
 }
 
 void LightSet::reserve(int perKind) {
@@ -30,6 +31,7 @@ void LightSet::reserve(int perKind) {
     reserveAll(n, l->x, l->y, l->z, l->radius, l->range, l->r, l->g, l->b);
   reserveAll(n, cone_.dx, cone_.dy, cone_.dz, cone_.inner, cone_.outer);
   reserveAll(n, face_.dx, face_.dy, face_.dz, face_.twoSided);
+  for (std::vector<std::uint32_t>& kind : groups_) kind.reserve(n);
 }
 
 void LightSet::Local::push(Vec3 position, float sphereRadius, float windowRange, Rgb colour) {
@@ -43,7 +45,8 @@ void LightSet::Local::push(Vec3 position, float sphereRadius, float windowRange,
   b.push_back(colour.b);
 }
 
-void LightSet::add(const DirectionalLight& light) {
+void LightSet::add(const DirectionalLight& light, std::uint32_t groups) {
+  groups_[0].push_back(groups);
   directional_.dx.push_back(light.direction.x);
   directional_.dy.push_back(light.direction.y);
   directional_.dz.push_back(light.direction.z);
@@ -52,9 +55,13 @@ void LightSet::add(const DirectionalLight& light) {
   directional_.b.push_back(light.irradiance.b);
 }
 
-void LightSet::add(const PointLight& light) { point_.push(light.position, light.radius, light.range, light.intensity); }
+void LightSet::add(const PointLight& light, std::uint32_t groups) {
+  groups_[1].push_back(groups);
+  point_.push(light.position, light.radius, light.range, light.intensity);
+}
 
-void LightSet::add(const SpotLight& light) {
+void LightSet::add(const SpotLight& light, std::uint32_t groups) {
+  groups_[2].push_back(groups);
   spot_.push(light.position, light.radius, light.range, light.intensity);
   cone_.dx.push_back(light.direction.x);
   cone_.dy.push_back(light.direction.y);
@@ -63,9 +70,13 @@ void LightSet::add(const SpotLight& light) {
   cone_.outer.push_back(light.outerAngle);
 }
 
-void LightSet::add(const SphereLight& light) { sphere_.push(light.position, light.radius, kNoRange, light.radiance); }
+void LightSet::add(const SphereLight& light, std::uint32_t groups) {
+  groups_[3].push_back(groups);
+  sphere_.push(light.position, light.radius, kNoRange, light.radiance);
+}
 
-void LightSet::add(const DiskLight& light) {
+void LightSet::add(const DiskLight& light, std::uint32_t groups) {
+  groups_[4].push_back(groups);
   disk_.push(light.position, light.radius, kNoRange, light.radiance);
   face_.dx.push_back(light.direction.x);
   face_.dy.push_back(light.direction.y);

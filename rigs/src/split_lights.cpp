@@ -26,8 +26,8 @@ void splitLights(const LightSet& lights, std::span<const float> weights, LightSe
     lights.visit(i, [&](const auto& light) {
       if (colourOf(light) == Rgb{}) return;
       if (w > 0) near.push_back(nearLight(light, w));
-      if (w == 0) far.add(light);
-      if (w > 0 && w < 1) far.add(scaled(light, 1 - w));
+      if (w == 0) far.add(light, lights.groups(i));
+      if (w > 0 && w < 1) far.add(scaled(light, 1 - w), lights.groups(i));
     });
   }
 }

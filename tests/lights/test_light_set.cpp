@@ -49,6 +49,25 @@ TEST(LightSet, ClearEmptiesEveryKind) {
   EXPECT_EQ(test::describe(lights.spot(0)), test::describe(kSpot));
 }
 
+TEST(LightSet, KeepsTheGroupsOfEveryLight) {
+  LightSet lights;
+  lights.add(kSphere, 4);
+  lights.add(kPoint, 1);
+  lights.add(kSpot);
+  lights.add(kDirectional, 0x80000000u);
+  lights.add(DiskLight{}, 8);
+  lights.add(kSphere, 2);
+  lights.add(kPoint, 0);
+  // Directional, point, point, spot, sphere, sphere, disk.
+  const std::uint32_t expected[] = {0x80000000u, 1, 0, kAllLightGroups, 4, 2, 8};
+  for (int i = 0; i < 7; ++i) EXPECT_EQ(lights.groups(i), expected[i]) << i;
+  EXPECT_EQ(lights.groups(7), 0u);
+  lights.clear();
+  EXPECT_EQ(lights.groups(0), 0u);
+  lights.add(kSpot, 16);
+  EXPECT_EQ(lights.groups(0), 16u);
+}
+
 TEST(LightSet, ReserveKeepsTheLights) {
   LightSet lights = allKinds();
   lights.reserve(1000);

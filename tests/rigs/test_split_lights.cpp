@@ -34,6 +34,18 @@ TEST(SplitLights, SharesSumToTheWholeLight) {
   }
 }
 
+TEST(SplitLights, PartsKeepTheirGroups) {
+  LightSet lights;
+  lights.add(PointLight{{1, 2, 0}, {3, 2, 1}}, 5);
+  lights.add(SphereLight{{0, 2, 1}, 0.4f, {1, 1, 2}}, 6);
+  LightSet far;
+  std::vector<NearLight> near;
+  splitLights(lights, std::vector<float>{0, 0.5f}, far, near);
+  ASSERT_EQ(far.size(), 2);
+  EXPECT_EQ(far.groups(0), 5u);
+  EXPECT_EQ(far.groups(1), 6u);
+}
+
 TEST(SplitLights, DisksAreSharedLast) {
   LightSet lights = oneOfEach();
   lights.add(DiskLight{{0, 1.5f, 0.2f}, {0.1f, -1, 0}, 0.5f, {4, 3, 2}});

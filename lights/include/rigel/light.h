@@ -7,6 +7,7 @@
 
 #include <rigel/vec3.h>
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -80,18 +81,22 @@ constexpr Rgb& colourOf(SpotLight& light) noexcept { return light.intensity; }
 constexpr Rgb& colourOf(SphereLight& light) noexcept { return light.radiance; }
 constexpr Rgb& colourOf(DiskLight& light) noexcept { return light.radiance; }
 
+/// Sets of lights that an object may ask for: a light shines on an object where their masks share a bit.
+inline constexpr std::uint32_t kAllLightGroups = 0xffffffffu;
+
 /// All lights of a frame, structure of arrays per kind. Filling it allocates only while it grows; `clear` keeps
-/// capacity. `index` arguments run within a kind. Not thread safe for writers; any number of readers.
+/// capacity. `index` arguments run within a kind. Groups are for whoever picks lights for an object (light_tree.h);
+/// projections sum over all lights. Not thread safe for writers; any number of readers.
 class LightSet {
  public:
   void clear() noexcept;
   void reserve(int perKind);
 
-  void add(const DirectionalLight& light);
-  void add(const PointLight& light);
-  void add(const SpotLight& light);
-  void add(const SphereLight& light);
-  void add(const DiskLight& light);
+  void add(const DirectionalLight& light, std::uint32_t groups = kAllLightGroups);
+  void add(const PointLight& light, std::uint32_t groups = kAllLightGroups);
+  void add(const SpotLight& light, std::uint32_t groups = kAllLightGroups);
+  void add(const SphereLight& light, std::uint32_t groups = kAllLightGroups);
+  void add(const DiskLight& light, std::uint32_t groups = kAllLightGroups);
 
   int directionalCount() const noexcept { return static_cast<int>(directional_.r.size()); }
   int pointCount() const noexcept { return static_cast<int>(point_.r.size()); }
@@ -128,6 +133,16 @@ class LightSet {
             face_.twoSided[index] != 0};
   }
 
+  /// Group mask of light `i` of all, counted as `visit` does.
+  std::uint32_t groups(int i) const noexcept {
+    for (const std::vector<std::uint32_t>& kind : groups_) {
+      const int count = static_cast<int>(kind.size());
+      if (i < count) return kind[i];
+      i -= count;
+    }
+    return 0;
+  }
+
   /// `f(light)` with light `i` of all, counted in the order directional, point, spot, sphere, disk; its result.
   template <class F>
   decltype(auto) visit(int i, F&& f) const {
@@ -160,6 +175,7 @@ class LightSet {
     Floats dx, dy, dz;
     std::vector<std::uint8_t> twoSided;
   } face_;
+  std::array<std::vector<std::uint32_t>, 5> groups_;  // per kind, in the order of visit
 };
 
 }  // namespace rigel
