@@ -137,15 +137,17 @@ std::vector<double> RigReference::axisWeights(int axis, double u) const {
 }
 
 RigReference::Basis RigReference::tensor(const Point& u, const Point& absolute) const {
-  // A weight's terms are its own and, to first order, those of the coordinate that it depends on.
-  constexpr double kStep = 1e-5;
+  // A weight's terms are its own and, to first order, those of the coordinate that it depends on, which counts from -1:
+  // its steepest slope as far as the coordinate's rounding reaches, which may be beyond a kink.
+  constexpr double kStep = 1e-5, kRounding = 0x1p-21;
   std::array<std::vector<double>, 3> w, size;
   for (int a = 0; a < 3; ++a) {
     w[a] = axisWeights(a, u[a]);
-    const std::vector<double> before = axisWeights(a, u[a] - kStep), after = axisWeights(a, u[a] + kStep);
+    const double terms = 1 + absolute[a], step = std::max(kStep, kRounding * terms);
+    const std::vector<double> before = axisWeights(a, u[a] - step), after = axisWeights(a, u[a] + step);
     for (std::size_t i = 0; i < w[a].size(); ++i) {
-      const double slope = std::max(std::abs(after[i] - w[a][i]), std::abs(w[a][i] - before[i])) / kStep;
-      size[a].push_back(std::abs(w[a][i]) + slope * absolute[a]);
+      const double slope = std::max(std::abs(after[i] - w[a][i]), std::abs(w[a][i] - before[i])) / step;
+      size[a].push_back(std::abs(w[a][i]) + slope * terms);
     }
   }
   Basis out;

@@ -66,6 +66,15 @@ struct RigRun {
     return out;
   }
 
+  /// In float32 from `offset` on, with the nodes of @gauss behind; moves `offset` beyond.
+  GpuRig packInto(std::span<GpuVec4> buffer, int& offset, int paddedVectors = 0) const {
+    const int gaussOffset = offset + packRigBound(rig, B, paddedVectors);
+    const GpuRig packed = packRig<B>(rig, frame, coefficients, {}, {offset, paddedVectors, gaussOffset}, buffer);
+    packGaussNodes(rig, buffer.subspan(gaussOffset));
+    offset = gaussOffset + packGaussNodesBound(rig);
+    return packed;
+  }
+
   /// The SH vector at a point in C++, the K vectors' prefix.
   RadianceSH<B> twinSh(Vec3 world) const {
     RigBasis phi;
@@ -79,6 +88,8 @@ struct RigRun {
     return sum * static_cast<float>(kPi);
   }
 
+  static bool isNumber(Vec3 p) { return dot(p, p) >= 0; }
+
   std::string describe(std::size_t i) const {
     std::ostringstream text;
     text.precision(9);
@@ -88,12 +99,13 @@ struct RigRun {
     return text.str();
   }
 
-  /// `results`: irradiance a point, times `scale`.
-  void checkIrradiance(std::span<const float> results, TwinCheck& check) const {
+  /// `results`: irradiance a point. Points without a number count for `nowhere`, where there is one.
+  void checkIrradiance(std::span<const float> results, TwinCheck& numbers, TwinCheck* nowhere = nullptr) const {
     const RigReference reference(rig, frame);
     for (std::size_t i = 0; i < points.size(); ++i) {
       const RigReference::Basis phi = reference.at(points[i]);
       const RadianceSH<B> sh = twinSh(points[i]);
+      TwinCheck& check = isNumber(points[i]) || nowhere == nullptr ? numbers : *nowhere;
       Rgb twin;
       for (int j = 0; j < shCount(B); ++j) twin += sh[j] * basisOf(i)[j];
       for (int c = 0; c < 3; ++c) {
@@ -111,11 +123,12 @@ struct RigRun {
   }
 
   /// `results`: an SH vector a point.
-  void checkSh(std::span<const float> results, TwinCheck& check) const {
+  void checkSh(std::span<const float> results, TwinCheck& numbers, TwinCheck* nowhere = nullptr) const {
     const RigReference reference(rig, frame);
     for (std::size_t i = 0; i < points.size(); ++i) {
       const RigReference::Basis phi = reference.at(points[i]);
       const RadianceSH<B> twin = twinSh(points[i]);
+      TwinCheck& check = isNumber(points[i]) || nowhere == nullptr ? numbers : *nowhere;
       for (int j = 0; j < shCount(B); ++j)
         for (int c = 0; c < 3; ++c) {
           double exact = 0, sum = 0;
@@ -130,19 +143,14 @@ struct RigRun {
   }
 };
 
-/// Packs the run in float32, some way into a buffer whose other numbers are not any, with the nodes of @gauss behind.
+/// `run_` alone, in a buffer whose other numbers are not any; `function` of rigSource.
 template <int B>
 std::vector<float> runPacked(tools::ShaderFunction& function, const RigRun<B>& run_, int paddedVectors = 0) {
-  constexpr int kBefore = 5;
   const auto nan = std::numeric_limits<float>::quiet_NaN();
-  const int bound = packRigBound(run_.rig, B, paddedVectors);
   // Always of one size, or lavapipe compiles anew.
-  constexpr std::size_t kTexels = 10240;
-  std::vector<GpuVec4> buffer(kTexels, GpuVec4{nan, nan, nan, nan});
-  const GpuRig packed = packRig<B>(run_.rig, run_.frame, run_.coefficients, {},
-                                   {kBefore, paddedVectors, kBefore + bound}, std::span<GpuVec4>(buffer));
-  packGaussNodes(run_.rig, std::span(buffer).subspan(kBefore + bound));
-  setUniforms(function, packed);
+  std::vector<GpuVec4> buffer(10240, GpuVec4{nan, nan, nan, nan});
+  int offset = 5;
+  setUniforms(function, run_.packInto(buffer, offset, paddedVectors));
   function.setTexels(floatsOf(buffer));
   return run(function, run_.rows());
 }

@@ -7,9 +7,12 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <map>
 #include <string>
 #include <type_traits>
 #include <utility>
+
+#include "lights/random.h"
 
 namespace rigel::test {
 
@@ -33,8 +36,17 @@ class TwinCheck {
   /// Fails when nothing was compared, or the shader's worst error is beyond both twice the twin's worst and `rounding`:
   /// more than the default is for shaders that have float where the twin has double. Prints both.
   void expectWithinTwice(double rounding = kHalfUlp) const {
+    print();
+    checkWithinTwice(rounding);
+  }
+
+  void print() const {
     std::printf("%s: worst relative error %.3g (shader), %.3g (C++), of %lld numbers\n", name_.c_str(), gpu_.error,
                 twin_.error, comparisons_);
+  }
+
+  /// expectWithinTwice without a word where all is well.
+  void checkWithinTwice(double rounding = kHalfUlp) const {
     EXPECT_GT(comparisons_, 0) << name_ << ": nothing was compared";
     EXPECT_TRUE(std::isfinite(twin_.error)) << name_ << ": the twin fails: " << twin_.text();
     EXPECT_LE(gpu_.error, std::max(2 * twin_.error, rounding))
@@ -82,6 +94,53 @@ class TwinCheck {
   std::string name_;
   Worst gpu_, twin_;
   long long comparisons_ = 0;
+};
+
+/// A function over families of inputs that differ in kind, each checked apart: pooled, the twin's worst error in one
+/// would hide a bad shader in another.
+class TwinFamilies {
+ public:
+  explicit TwinFamilies(std::string function) : function_(std::move(function)) {}
+
+  TwinCheck& operator[](const std::string& family) {
+    return families_.try_emplace(family, function_ + ", " + family).first->second;
+  }
+
+  /// As TwinCheck's, of every family. Prints a line: the worst of all, and the family that is the closest to failing;
+  /// with RIGEL_FULL=1 a line a family.
+  void expectWithinTwice(double rounding = TwinCheck::kHalfUlp) const {
+    EXPECT_FALSE(families_.empty()) << function_ << ": nothing was compared";
+    const TwinCheck* closest = nullptr;
+    std::string family;
+    double error = 0, twinError = 0, leastRoom = -1;
+    long long comparisons = 0;
+    for (const auto& [name, check] : families_) {
+      check.checkWithinTwice(rounding);
+      if (fullRun()) check.print();
+      error = std::max(error, check.gpuError());
+      twinError = std::max(twinError, check.twinError());
+      comparisons += check.comparisons();
+      const double room = check.gpuError() / std::max(2 * check.twinError(), rounding);
+      if (room <= leastRoom) continue;
+      leastRoom = room;
+      closest = &check;
+      family = name;
+    }
+    if (closest == nullptr) return;
+    std::printf("%s: worst %.3g (shader), %.3g (C++), of %lld numbers in %zu families; least room: %s, %.3g and %.3g\n",
+                function_.c_str(), error, twinError, comparisons, families_.size(), family.c_str(), closest->gpuError(),
+                closest->twinError());
+  }
+
+  double gpuError() const {
+    double error = 0;
+    for (const auto& [name, check] : families_) error = std::max(error, check.gpuError());
+    return error;
+  }
+
+ private:
+  std::string function_;
+  std::map<std::string, TwinCheck> families_;
 };
 
 }  // namespace rigel::test
