@@ -9,6 +9,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "disk_batch_kernels.h"
 #include "disk_lanes.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -124,7 +125,7 @@ void projectBands(const DiskBatchLight& light, const Vec3Rows& points, int nodes
 
 }  // namespace
 
-void projectBatch(const DiskBatchLight& light, const Vec3Rows& points, int bands, int nodes, float* sh) {
+void projectDiskPoints(const DiskBatchLight& light, const Vec3Rows& points, int bands, int nodes, float* sh) {
   if (bands == 2) return projectBands<2>(light, points, nodes, sh);
   if (bands == 3) return projectBands<3>(light, points, nodes, sh);
   if (bands == 4) return projectBands<4>(light, points, nodes, sh);
@@ -137,7 +138,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace rigel {
 
-HWY_EXPORT(projectBatch);
+HWY_EXPORT(projectDiskPoints);
 
 template <int B>
 void projectDiskBatch(const DiskLight& light, const Vec3Rows& points, DiskNodes nodes, std::span<float> sh) noexcept {
@@ -148,7 +149,7 @@ void projectDiskBatch(const DiskLight& light, const Vec3Rows& points, DiskNodes 
     std::ranges::fill(sh, 0.0f);
     return;
   }
-  HWY_DYNAMIC_DISPATCH(projectBatch)(prepared, points, B, static_cast<int>(nodes), sh.data());
+  HWY_DYNAMIC_DISPATCH(projectDiskPoints)(prepared, points, B, static_cast<int>(nodes), sh.data());
 }
 
 template void projectDiskBatch<2>(const DiskLight&, const Vec3Rows&, DiskNodes, std::span<float>) noexcept;

@@ -63,6 +63,11 @@ struct LaneOf {
     return hn::IfThenElse(where.mask, a.v, b.v);
   }
 
+  /// a b + c, a b - c and c - a b, of one rounding where the machine has that.
+  friend HWY_INLINE LaneOf mulAdd(LaneOf a, LaneOf b, LaneOf c) noexcept { return hn::MulAdd(a.v, b.v, c.v); }
+  friend HWY_INLINE LaneOf mulSub(LaneOf a, LaneOf b, LaneOf c) noexcept { return hn::MulSub(a.v, b.v, c.v); }
+  friend HWY_INLINE LaneOf negMulAdd(LaneOf a, LaneOf b, LaneOf c) noexcept { return hn::NegMulAdd(a.v, b.v, c.v); }
+
   friend HWY_INLINE LaneOf sqrt(LaneOf a) noexcept { return hn::Sqrt(a.v); }
   friend HWY_INLINE LaneOf abs(LaneOf a) noexcept { return hn::Abs(a.v); }
   friend HWY_INLINE LaneOf min(LaneOf a, LaneOf b) noexcept { return hn::Min(a.v, b.v); }

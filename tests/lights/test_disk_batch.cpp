@@ -1,19 +1,16 @@
 // Many points against one disk light in vectors: on every instruction set of this machine, what the scalar functions
 // give.
-#define HWY_DISABLED_TARGETS HWY_SSSE3  // as the library
-#include <hwy/targets.h>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rigel/disk_batch.h>
 #include <rigel/near_light.h>
 
 #include <algorithm>
-#include <functional>
 #include <limits>
 #include <vector>
 
 #include "lights/describe.h"
+#include "lights/every_target.h"
 #include "lights/random.h"
 #include "reference/worst.h"
 
@@ -22,6 +19,7 @@ namespace {
 
 using reference::Worst;
 using test::describe;
+using test::onEveryTarget;
 using test::Random;
 
 // Relative to the norm of the SH vector, and to the peak over normals. Worst measured 1.1e-6 and 1.2e-6: the scalar
@@ -31,21 +29,6 @@ constexpr double kIrradianceTolerance = 2e-6;
 
 constexpr DiskNodes kNodes[] = {DiskNodes::four, DiskNodes::six, DiskNodes::eight};
 constexpr float kUntouched = -12345;
-
-/// Runs `body` once on each set of instructions that this machine has and the library was compiled for.
-void onEveryTarget(const std::function<void()>& body) {
-  int count = 0;
-  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-    SCOPED_TRACE(hwy::TargetName(target));
-    hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().Update(target);
-    body();
-    ++count;
-  }
-  hwy::SetSupportedTargetsForTest(0);
-  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-  EXPECT_GE(count, 1);
-}
 
 /// Points and normals in rows that begin `offset` floats behind an aligned address.
 struct Rows {

@@ -5,17 +5,11 @@
 
 #include <rigel/disk.h>
 #include <rigel/light.h>
+#include <rigel/vec3_rows.h>
 
-#include <cstddef>
 #include <span>
 
 namespace rigel {
-
-/// Points or unit vectors, structure of arrays: three spans of one length, of any alignment.
-struct Vec3Rows {
-  std::span<const float> x, y, z;
-  std::size_t size() const noexcept { return x.size(); }
-};
 
 /// SH that the disk gives per unit radiance: coefficient i at point k is sh[i * points.size() + k], and what each
 /// colour of the light gives is that times its radiance. B in 2..5; sh holds B^2 numbers a point and overlaps no input.

@@ -1,0 +1,60 @@
+// A frame's lights as the vector kernels broadcast them: what depends on the light alone computed once, for all objects
+// and threads.
+#pragma once
+
+#include <rigel/light.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace rigel {
+
+/// One light, as far as it counts: its colour times `share`, which is held within [0, 1] (NaN: 0).
+struct LightUse {
+  std::uint32_t light = 0;  // as LightSet::visit counts, or what PreparedLights::add returned
+  float share = 1;
+};
+
+namespace detail {
+
+enum class PreparedKind : std::uint8_t { none, directional, point, spot, sphere, disk };
+
+/// One line of the cache. SH are 2 colour e times functions of order 1, with e = (radius/d)^2 for spheres and 1/d^2 for
+/// points and spots.
+struct alignas(64) PreparedLight {
+  Vec3 position;  // directional: unit vector towards the light
+  float radius = 0;
+  Rgb colour;               // of spheres times pi
+  float nearestSquare = 0;  // d^2 from which float does without care: no contact, no overflow
+  Vec3 axis;                // spots: unit, over the cone's width, and backwards; disks: as in the light's struct
+  float coneOffset = 0;     // the cone's smoothstep is that of axis . w + coneOffset
+  float inverseRange = 0;   // 0: no window
+  PreparedKind kind = PreparedKind::none;  // none: contributes nothing
+  bool twoSided = false;
+};
+
+}  // namespace detail
+
+/// Not thread safe for writers; any number of readers. 64 bytes a light.
+class PreparedLights {
+ public:
+  /// Replaces all lights; allocates only while their number grows. 10 ns a light.
+  void set(const LightSet& lights);
+
+  /// One more, beyond those of the set, until the next `set`; its index. Allocates only while their number grows.
+  std::uint32_t add(const SphereLight& light);
+
+  int size() const noexcept { return static_cast<int>(lights_.size()); }
+
+  /// Internal.
+  const detail::PreparedLight& operator[](std::uint32_t index) const noexcept { return lights_[index]; }
+  bool anyDirectional() const noexcept { return anyDirectional_; }
+  bool anyDisk() const noexcept { return anyDisk_; }
+
+ private:
+  bool anyDirectional_ = false, anyDisk_ = false;
+  std::vector<detail::PreparedLight> lights_;
+};
+
+}  // namespace rigel

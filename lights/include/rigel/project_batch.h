@@ -1,0 +1,33 @@
+// Projection of many lights into SH at many points, in vectors as wide as the machine's (SSE4, AVX2, AVX-512 or NEON,
+// chosen at run time by Highway): what project.h computes light by light and point by point.
+//
+// Points are in the lanes of a vector and one light after another is broadcast, so that no sum runs across lanes; a
+// light at a vector of points goes through short loops (geometry and basis, then sums), what one leaves for the other
+// staying in the first-level cache. Full vectors are worth having: the points of one call are to be a multiple of 16
+// where that can be chosen.
+#pragma once
+
+#include <rigel/prepared_lights.h>
+#include <rigel/project.h>
+#include <rigel/vec3_rows.h>
+
+#include <span>
+
+namespace rigel {
+
+/// Sum over `uses` of share times the light's SH at each point. Row 3 i + colour of `sums`, points.size() floats,
+/// receives coefficient i (no pi, no f_l); what was there is overwritten. `footprints` [m]: of each point, as in
+/// project.h, or empty for none. B in 2..5. Any count of points and lights, none included; the rows of points may have
+/// any alignment. `sums` overlaps no input.
+///
+/// Errors per ||q|| of the light without its window and cone: as project.h where c < 0.7, in contact and inside; farther
+/// off vectors to the light are rounded to float, which leaves 3e-7 as a rule, and in a million cases 6e-7 of 3 bands
+/// and 1e-6 of 5. A spot's cone adds what float leaves of it, 2e-7 / (cosInner - cosOuter). NaN, no radius, no
+/// direction, infinitely far: no light. Every result is finite: as project.h, but that flux held to kMaxProjectionScale
+/// keeps its hue. The result at a point is the same whatever other points are in the call. No allocation; any number of
+/// threads. A light within sqrt(2) radii (footprints) of a point takes the scalar functions' time there.
+template <int B>
+void projectBatch(const PreparedLights& lights, std::span<const LightUse> uses, const Vec3Rows& points,
+                  std::span<const float> footprints, std::span<float> sums) noexcept;
+
+}  // namespace rigel

@@ -1,0 +1,46 @@
+// Roots and quotients at the price of products. AVX-512 divides no more lanes a cycle than AVX2, but its estimates are
+// of 14 bits: one Newton step brings them to 1.5 units in the last place. Elsewhere the exact operations are no dearer.
+// Included once per Highway target, after lane.h.
+#if defined(RIGEL_LANE_ESTIMATE_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef RIGEL_LANE_ESTIMATE_H
+#undef RIGEL_LANE_ESTIMATE_H
+#else
+#define RIGEL_LANE_ESTIMATE_H
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace rigel::HWY_NAMESPACE {
+
+// Roots come in two steps, between which other work fits. x is positive and finite, or the result anything.
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
+
+HWY_INLINE Lane estimateRoot(Lane x) { return hn::ApproximateReciprocalSqrt(x.v); }
+
+HWY_INLINE Lane rootFrom(Lane x, Lane estimate) {
+  const Lane root = x * estimate;
+  return mulAdd(root * Lane(0.5f), negMulAdd(root, estimate, Lane(1.0f)), root);
+}
+
+/// 1 / sqrt(x).
+HWY_INLINE Lane inverseRootFrom(Lane x, Lane estimate) {
+  return mulAdd(estimate * Lane(0.5f), negMulAdd(x * estimate, estimate, Lane(1.0f)), estimate);
+}
+
+/// a / b, b of ordinary size.
+HWY_INLINE Lane quotient(Lane a, Lane b) {
+  const Lane y = hn::ApproximateReciprocal(b.v);
+  return a * mulAdd(y, negMulAdd(b, y, Lane(1.0f)), y);
+}
+
+#else
+
+HWY_INLINE Lane estimateRoot(Lane x) { return sqrt(x); }
+HWY_INLINE Lane rootFrom(Lane, Lane estimate) { return estimate; }
+HWY_INLINE Lane inverseRootFrom(Lane, Lane estimate) { return Lane(1.0f) / estimate; }
+HWY_INLINE Lane quotient(Lane a, Lane b) { return a / b; }
+
+#endif
+
+}  // namespace rigel::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,117 @@
+#include <rigel/prepared_lights.h>
+#include <rigel/project.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "prepared_term.h"
+#include "vec3d.h"
+
+namespace rigel {
+namespace {
+
+using detail::PreparedKind;
+using detail::PreparedLight;
+
+constexpr double kLargest = std::numeric_limits<float>::max();
+
+float rounded(double value) noexcept { return static_cast<float>(std::clamp(value, -kLargest, kLargest)); }
+
+Rgb scaled(Rgb colour, double scale) noexcept {
+  return {rounded(colour.r * scale), rounded(colour.g * scale), rounded(colour.b * scale)};
+}
+
+/// `unit`: e at distance 1, per 1/d^2.
+void setNearest(PreparedLight& light, double unit) noexcept {
+  const double r2 = static_cast<double>(light.radius) * light.radius;
+  const double held = unit / detail::largestFlux(light.colour);
+  const double nearest = std::max({detail::kCloseSquare * r2, held, detail::kMinPreparedSquare});
+  light.nearestSquare = nearest < kLargest ? static_cast<float>(nearest) : std::numeric_limits<float>::infinity();
+}
+
+PreparedLight prepared(const DirectionalLight& light) noexcept {
+  const detail::Vec3d direction = detail::directionOf(light.direction);
+  if (detail::anyNan(light.irradiance) || detail::dot(direction, direction) == 0) return {};
+  PreparedLight out;
+  out.kind = PreparedKind::directional;
+  out.position = detail::narrow(direction * -1.0);
+  for (int c = 0; c < 3; ++c)
+    out.colour[c] = std::clamp(light.irradiance[c], -kMaxProjectionScale, kMaxProjectionScale);
+  return out;
+}
+
+PreparedLight prepared(const PointLight& light) noexcept {
+  const bool nan = detail::anyNan(light.position) || detail::anyNan(light.radius) || detail::anyNan(light.intensity);
+  if (nan || !(light.range > 0)) return {};
+  PreparedLight out;
+  out.kind = PreparedKind::point;
+  out.position = light.position;
+  out.radius = std::clamp(light.radius, kMinPointRadius, std::numeric_limits<float>::max());
+  out.colour = scaled(light.intensity, 1);
+  out.inverseRange = std::min(1 / light.range, std::numeric_limits<float>::max());
+  setNearest(out, 1);
+  return out;
+}
+
+PreparedLight prepared(const SpotLight& light) noexcept {
+  const detail::Vec3d axis = detail::directionOf(light.direction);
+  if (detail::anyNan(light.innerAngle, light.outerAngle) || detail::dot(axis, axis) == 0) return {};
+  const double cosOuter = std::cos(static_cast<double>(light.outerAngle));
+  const double width = std::max<double>(std::cos(static_cast<double>(light.innerAngle)) - cosOuter, kMinConeWidth);
+  // An angle that is infinite has no cosine.
+  if (!(width < 3)) return {};
+  PreparedLight out = prepared(PointLight{light.position, light.intensity, light.radius, light.range});
+  if (out.kind == PreparedKind::none) return out;
+  out.kind = PreparedKind::spot;
+  out.axis = detail::narrow(axis * (-1 / width));
+  out.coneOffset = static_cast<float>(-cosOuter / width);
+  return out;
+}
+
+PreparedLight prepared(const SphereLight& light) noexcept {
+  if (detail::anyNan(light.position) || !(light.radius > 0) || detail::anyNan(light.radiance)) return {};
+  PreparedLight out;
+  out.kind = PreparedKind::sphere;
+  out.position = light.position;
+  out.radius = std::min(light.radius, std::numeric_limits<float>::max());
+  out.colour = scaled(light.radiance, kPi);
+  setNearest(out, static_cast<double>(light.radius) * light.radius);
+  return out;
+}
+
+PreparedLight prepared(const DiskLight& light) noexcept {
+  const detail::Vec3d axis = detail::directionOf(light.direction);
+  // Of a radius that float has no inverse of nothing is seen but from where the disk is.
+  if (!(light.radius >= std::numeric_limits<float>::min()) || detail::dot(axis, axis) == 0) return {};
+  if (detail::anyNan(light.position) || detail::anyNan(light.radiance)) return {};
+  PreparedLight out;
+  out.kind = PreparedKind::disk;
+  out.position = light.position;
+  out.radius = light.radius;
+  for (int c = 0; c < 3; ++c) out.colour[c] = std::clamp(light.radiance[c], -kMaxProjectionScale, kMaxProjectionScale);
+  out.axis = light.direction;
+  out.twoSided = light.twoSided;
+  return out;
+}
+
+}  // namespace
+
+void PreparedLights::set(const LightSet& lights) {
+  anyDirectional_ = lights.directionalCount() > 0;
+  anyDisk_ = lights.diskCount() > 0;
+  lights_.clear();
+  lights_.reserve(static_cast<std::size_t>(lights.size()));
+  for (int i = 0; i < lights.directionalCount(); ++i) lights_.push_back(prepared(lights.directional(i)));
+  for (int i = 0; i < lights.pointCount(); ++i) lights_.push_back(prepared(lights.point(i)));
+  for (int i = 0; i < lights.spotCount(); ++i) lights_.push_back(prepared(lights.spot(i)));
+  for (int i = 0; i < lights.sphereCount(); ++i) lights_.push_back(prepared(lights.sphere(i)));
+  for (int i = 0; i < lights.diskCount(); ++i) lights_.push_back(prepared(lights.disk(i)));
+}
+
+std::uint32_t PreparedLights::add(const SphereLight& light) {
+  lights_.push_back(prepared(light));
+  return static_cast<std::uint32_t>(lights_.size() - 1);
+}
+
+}  // namespace rigel

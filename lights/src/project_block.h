@@ -1,0 +1,60 @@
+// What the kernels of project_batch.h read of lights and write of sums, the same for all Highway targets.
+#pragma once
+
+#include <rigel/prepared_lights.h>
+#include <rigel/project.h>
+#include <rigel/shader_constants.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "sh_polynomials.h"
+
+namespace rigel::detail {
+
+/// Rows of so many lights stay in the first-level cache between two loops.
+inline constexpr int kLightBlock = 32;
+/// Vectors of points that a block of lights serves while it is at hand.
+inline constexpr int kTileVectors = 4;
+
+/// Lights of one kind, and their colours times shares.
+struct LightBlock {
+  int count = 0;
+  std::array<const PreparedLight*, kLightBlock + 1> light;  // one more, any, behind the last
+  std::array<Rgb, kLightBlock> colour;
+};
+
+inline float heldShare(float share) noexcept { return share > 0 ? std::min(share, 1.0f) : 0.0f; }
+
+/// What the sums of weighBasis (project_lanes.h) are to be multiplied by: 2, the bands' k_l over e c.., and the
+/// constants of the basis.
+template <int B>
+constexpr std::array<float, shCount(B)> shScale() noexcept {
+  constexpr double k3 = 0.25, k4 = 0.25;  // 2/8
+  constexpr double all[] = {2 * kRigelY00,  kRigelY1,           kRigelY1,       kRigelY1,       2 * kRigelY22,
+                            kRigelY21,      kRigelY20,          kRigelY21,      kRigelY22,      k3 * kRigelY33,
+                            k3 * kRigelY32, k3 * kRigelY31,     k3 * kRigelY30, k3 * kRigelY31, k3 * kRigelY32,
+                            k3 * kRigelY33, k4 * 2 * kRigelY44, k4 * kRigelY43, k4 * kRigelY42, k4 * kRigelY41,
+                            k4 * kRigelY40, k4 * kRigelY41,     k4 * kRigelY42, k4 * kRigelY43, k4 * kRigelY44};
+  std::array<float, shCount(B)> scale{};
+  for (std::size_t i = 0; i < scale.size(); ++i) scale[i] = static_cast<float>(all[i]);
+  return scale;
+}
+
+/// SH of the directional lights, which are the same at every point.
+template <int B>
+RadianceSH<B> directionalSh(const PreparedLights& lights, std::span<const LightUse> uses) noexcept {
+  RadianceSH<B> sh;
+  for (const LightUse& use : uses) {
+    const PreparedLight& light = lights[use.light];
+    if (light.kind != PreparedKind::directional) continue;
+    float y[shCount(B)];
+    basisPolynomials<B>(light.position, y);
+    const Rgb colour = light.colour * heldShare(use.share);
+    for (int i = 0; i < shCount(B); ++i) sh[i] += colour * y[i];
+  }
+  return sh;
+}
+
+}  // namespace rigel::detail

@@ -1,0 +1,221 @@
+// Local lights at a vector of points: geometry, the weights of the bands, the basis. Included once per Highway target,
+// after <hwy/highway.h>.
+#if defined(RIGEL_PROJECT_LANES_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef RIGEL_PROJECT_LANES_H
+#undef RIGEL_PROJECT_LANES_H
+#else
+#define RIGEL_PROJECT_LANES_H
+#endif
+
+#include "lane.h"
+#include "lane_estimate.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace rigel::HWY_NAMESPACE {
+
+/// A vector of points; footprint is 0 where they are points indeed.
+struct PointLanes {
+  Lane x, y, z, footprint;
+};
+
+/// A light at a vector of points.
+struct SeenLanes {
+  Lane wx, wy, wz;  // unit vector towards it
+  Lane e;           // times window and cone; inside a sphere also times (d/r)^2
+  Lane s2;          // (r/d)^2, the sine squared
+  Lane c;           // the cosine
+  Lane band0;       // e / (1 + c); inside e (1 - c)
+};
+
+/// How `see` fared.
+struct Sight {
+  LaneMask served;    // where float serves; elsewhere what is seen is of no use
+  LaneMask small;     // where c and band0 are right
+  bool dark = false;  // reaches none of the points
+};
+
+/// clamp(1-(d/R)^4, 0, 1)^2.
+HWY_INLINE Lane rangeWindow(Lane square, float inverseRange) {
+  const Lane inverse(inverseRange);
+  const Lane x2 = square * inverse * inverse;
+  const Lane u = max(negMulAdd(x2, x2, Lane(1.0f)), Lane(0.0f));
+  return u * u;
+}
+
+HWY_INLINE Lane smoothStep(Lane t) {
+  const Lane held = clamp(t, Lane(0.0f), Lane(1.0f));
+  return held * held * negMulAdd(Lane(2.0f), held, Lane(3.0f));
+}
+
+/// c and 1/(1+c) of lights that are small enough: series in s2, without a root. Of spheres three terms and no more than
+/// 1/32, which leave out 5/128 s2^4 and 7/256 s2^4; of points and spots, which are smaller unless they are right there,
+/// one term.
+template <detail::PreparedKind Kind>
+HWY_INLINE LaneMask seeSmall(SeenLanes& seen, Lane e, Lane s2) {
+  if constexpr (Kind == detail::PreparedKind::sphere) {
+    const Lane root = mulAdd(s2, mulAdd(s2, Lane(-1.0f / 16), Lane(-1.0f / 8)), Lane(-0.5f));
+    const Lane inverse = mulAdd(s2, mulAdd(s2, Lane(5.0f / 128), Lane(1.0f / 16)), Lane(1.0f / 8));
+    seen.c = mulAdd(s2, root, Lane(1.0f));
+    seen.band0 = e * mulAdd(s2, inverse, Lane(0.5f));
+    return s2 < Lane(1.0f / 32);
+  } else {
+    seen.c = negMulAdd(Lane(0.5f), s2, Lane(1.0f));
+    seen.band0 = e * mulAdd(Lane(0.125f), s2, Lane(0.5f));
+    return s2 < Lane(5e-4f);
+  }
+}
+
+/// The vectors from points to a light, with what takes longest to find.
+struct ApartLanes {
+  Lane x, y, z, square, root;
+};
+
+HWY_INLINE ApartLanes apartFrom(const detail::PreparedLight& light, const PointLanes& points) {
+  ApartLanes apart;
+  apart.x = Lane(light.position.x) - points.x;
+  apart.y = Lane(light.position.y) - points.y;
+  apart.z = Lane(light.position.z) - points.z;
+  apart.square = mulAdd(apart.x, apart.x, mulAdd(apart.y, apart.y, apart.z * apart.z));
+  apart.root = estimateRoot(apart.square);
+  return apart;
+}
+
+/// What a light is at points, c and band0 as if it were small.
+template <int B, detail::PreparedKind Kind, bool WithFootprint>
+HWY_INLINE Sight see(const detail::PreparedLight& light, const PointLanes& points, const ApartLanes& apart,
+                     SeenLanes& seen) {
+  constexpr bool kSphere = Kind == detail::PreparedKind::sphere;
+  Sight sight;
+  // Also false for NaN.
+  sight.served = apart.square >= Lane(light.nearestSquare) && apart.square <= Lane(detail::kMaxPreparedSquare);
+  if constexpr (WithFootprint)
+    sight.served = sight.served && apart.square >= Lane(detail::kCloseSquare) * points.footprint * points.footprint;
+
+  const Lane quick = inverseRootFrom(apart.square, apart.root);
+  Lane wx = apart.x * quick, wy = apart.y * quick, wz = apart.z * quick;
+  // By how much w is too short: what the square's and the root's rounding left, each band taking it once more than the
+  // one below. It goes into e, which has it twice, and beyond the third band out of w.
+  const Lane lack = negMulAdd(wx, wx, negMulAdd(wy, wy, negMulAdd(wz, wz, Lane(1.0f))));
+  const Lane inverse = mulAdd(quick, lack, quick);
+  if constexpr (B > 3) {
+    const Lane unit = mulAdd(quick * Lane(0.5f), lack, quick);
+    wx = apart.x * unit;
+    wy = apart.y * unit;
+    wz = apart.z * unit;
+  }
+  const Lane s = Lane(light.radius) * inverse;
+  Lane e = kSphere ? s * s : inverse * inverse;
+  if (!kSphere && light.inverseRange > 0) {
+    e *= rangeWindow(apart.square, light.inverseRange);
+    sight.dark = all(sight.served && e <= Lane(0.0f));
+  }
+  if constexpr (Kind == detail::PreparedKind::spot) {
+    const Lane z = mulAdd(Lane(light.axis.z), wz, Lane(light.coneOffset));
+    const Lane t = mulAdd(Lane(light.axis.x), wx, mulAdd(Lane(light.axis.y), wy, z));
+    if (!all(t >= Lane(1.0f))) {
+      e *= smoothStep(t);
+      sight.dark = all(sight.served && e <= Lane(0.0f));
+    }
+  }
+  Lane s2 = kSphere ? e : s * s;
+  if constexpr (WithFootprint) {
+    const Lane wide = max(Lane(light.radius), points.footprint) * inverse;
+    s2 = wide * wide;
+  }
+  seen.wx = wx;
+  seen.wy = wy;
+  seen.wz = wz;
+  seen.e = e;
+  seen.s2 = s2;
+  sight.small = seeSmall<Kind>(seen, e, s2);
+  return sight;
+}
+
+/// c and band0 where the light is not small.
+HWY_NOINLINE inline void seeLarge(LaneMask small, SeenLanes& seen) {
+  const Lane c2 = Lane(1.0f) - seen.s2;
+  const Lane c = rootFrom(c2, estimateRoot(c2));
+  seen.c = select(small, seen.c, c);
+  seen.band0 = select(small, seen.band0, quotient(seen.e, Lane(1.0f) + c));
+}
+
+/// The last step: `put(i, number)` for each coefficient, the light's SH over 2 colour and the constants of shScale.
+/// What is put is not looked at again, so that few registers do.
+template <int B, class Put>
+HWY_INLINE void weighBasis(const SeenLanes& seen, const Put& put) {
+  const Lane x = seen.wx, y = seen.wy, z = seen.wz;
+  put(0, seen.band0);
+  if constexpr (B == 2) {
+    put(1, seen.e * y);
+    put(2, seen.e * z);
+    put(3, seen.e * x);
+  } else {
+    // Homogeneous, as in sh_polynomials.h: nothing cancels near the poles.
+    const Lane ey = seen.e * y;
+    put(1, ey);
+    const Lane cy = seen.c * ey;
+    put(5, cy * z);
+    const Lane ez = seen.e * z;
+    put(2, ez);
+    const Lane zz = seen.c * ez * z;
+    const Lane ex = seen.e * x;
+    put(3, ex);
+    const Lane cx = seen.c * ex;
+    put(4, cx * y);
+    put(7, cx * z);
+    const Lane xx = cx * x, yy = cy * y;
+    put(8, xx - yy);
+    put(6, mulSub(Lane(2.0f), zz, xx + yy));
+  }
+  if constexpr (B > 3) {
+    const Lane c2 = seen.c * seen.c;
+    const Lane weight = seen.e * mulSub(Lane(5.0f), c2, Lane(1.0f));
+    const Lane xx = x * x, yy = y * y, zz = z * z, tt = xx + yy, xxyy = xx - yy, xy2 = Lane(2.0f) * x * y;
+    const Lane s3 = mulAdd(x, xy2, y * xxyy), c3 = mulSub(x, xxyy, y * xy2);
+    const Lane f31 = weight * mulSub(Lane(4.0f), zz, tt), weightZ = weight * z;
+    put(9, weight * s3);
+    put(10, weightZ * xy2);
+    put(11, f31 * y);
+    put(12, weightZ * mulAdd(Lane(2.0f), zz, Lane(-3.0f) * tt));
+    put(13, f31 * x);
+    put(14, weightZ * xxyy);
+    put(15, weight * c3);
+    if constexpr (B > 4) {
+      const Lane weight4 = seen.e * seen.c * mulSub(Lane(7.0f), c2, Lane(3.0f));
+      const Lane f41 = weight4 * z * mulAdd(Lane(4.0f), zz, Lane(-3.0f) * tt);
+      const Lane f42 = weight4 * mulSub(Lane(6.0f), zz, tt), f43 = weight4 * z;
+      put(16, weight4 * xy2 * xxyy);
+      put(17, f43 * s3);
+      put(18, f42 * xy2);
+      put(19, f41 * y);
+      put(20, weight4 * mulAdd(Lane(8.0f) * zz, zz - Lane(3.0f) * tt, Lane(3.0f) * tt * tt));
+      put(21, f41 * x);
+      put(22, f42 * xxyy);
+      put(23, f43 * c3);
+      put(24, weight4 * (xxyy - xy2) * (xxyy + xy2));
+    }
+  }
+}
+
+/// What the lanes see that float does not serve, one by one in double.
+HWY_NOINLINE inline void seeWithCare(const detail::PreparedLight& light, const PointLanes& points, LaneMask sure,
+                                     SeenLanes& seen) {
+  float x[Lane::kCount], y[Lane::kCount], z[Lane::kCount], footprint[Lane::kCount], served[Lane::kCount];
+  float wx[Lane::kCount], wy[Lane::kCount], wz[Lane::kCount], c[Lane::kCount], band0[Lane::kCount], e[Lane::kCount];
+  points.x.store(x), points.y.store(y), points.z.store(z), points.footprint.store(footprint);
+  seen.wx.store(wx), seen.wy.store(wy), seen.wz.store(wz);
+  seen.c.store(c), seen.band0.store(band0), seen.e.store(e);
+  select(sure, Lane(1.0f), Lane(0.0f)).store(served);
+  for (std::size_t k = 0; k < Lane::kCount; ++k) {
+    if (served[k] != 0) continue;
+    const detail::CarefulTerm term = detail::carefulTerm(light, {x[k], y[k], z[k]}, footprint[k]);
+    wx[k] = term.w.x, wy[k] = term.w.y, wz[k] = term.w.z;
+    c[k] = term.c, band0[k] = term.band0, e[k] = term.e;
+  }
+  seen.wx = Lane::load(wx), seen.wy = Lane::load(wy), seen.wz = Lane::load(wz);
+  seen.c = Lane::load(c), seen.band0 = Lane::load(band0), seen.e = Lane::load(e);
+}
+
+}  // namespace rigel::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
