@@ -1,0 +1,93 @@
+// Many lights: which of them an object sees one by one, and which as clusters, within an error that is known.
+//
+// A balanced binary tree over the lights. A cluster stands for the lights below one node: a sphere light of their summed
+// colour and mean radius at the centre of their power. Its error against the lights themselves is of second order (the first
+// order vanishes at that centre, up to what colours differ), and bounded anywhere in the object's ball, over all
+// normals, by the second moment of the lights' positions and their least distance:
+//
+//   RMS over normals <= N ( 2 D / d^3 + S G(a/d) / d^4 ),   G(t) = (3 - 2t)/(1-t)^2
+//
+// N: RMS over normals of a light of power 1 at distance 1; S = sum P |x - C|^2, D the moment that colours leave, a the
+// largest |x - C|, d the least distance from the ball to C. What window, cone and emission cosine vary by over a
+// cluster and the ball adds as much as it could at most. Derivation: rigs/README.md, "Many lights". Walter et al.,
+// "Lightcuts: A Scalable Approach to Illumination", 2005, has the tree; its bound is the whole light of a cluster.
+#pragma once
+
+#include <rigel/prepared_lights.h>
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace rigel {
+
+namespace detail {
+struct LightTreeState;
+}
+
+/// One object, and how exact it is to be.
+struct LightQuery {
+  Vec3 centre;                             // of a ball that holds every point to be lit ...
+  float radius = 0;                        // [m] ... and its radius
+  float target = 0.01f;                    // error that clusters and slopes may add, a share of the reference
+  float reference = 0;                     // [W/m2]; 0: the object's own, LightSelection::mean
+  float wrap = 0;                          // of the object's materials
+  bool slopes = true;                      // false: `distant` stays empty
+  std::uint32_t groups = kAllLightGroups;  // lights that share no bit with it are left out
+};
+
+/// What lights an object, as PreparedLights counts: clusters from LightSet::size() on. Shares are within [0, 1]; a
+/// light may be in both lists, and in a cluster besides, with shares that sum to one: so nothing jumps.
+struct LightSelection {
+  std::vector<LightUse> near;     // to be projected at every sample
+  std::vector<LightUse> distant;  // value and slope at the ball's centre are enough (or every sample, which is better)
+  /// Bounds of the sum of all errors [W/m2] of three-band irradiance, at any point of the ball: RMS over normals and
+  /// channels, at most target x reference; and largest over normals (RMS over channels).
+  float bound = 0, worst = 0;
+  float reference = 0;  // [W/m2] in use
+  float mean = 0;       // [W/m2] over normals and channels, at the ball's centre: from below, within the target's order
+  int visited = 0;      // nodes and lights looked at
+};
+
+/// Build it, refit it or let `update` choose, once a frame; then any number of threads may select.
+///
+/// Directional lights and those beyond 1e15 m or 1e20 W/sr are always by themselves; lights that hold a NaN, have no
+/// radius, direction or range, or are black, never appear. Lights of equal groups have a tree of their own: cost grows
+/// with the number of different masks that meet an object's.
+class LightTree {
+ public:
+  LightTree();
+  LightTree(LightTree&&) noexcept;
+  LightTree& operator=(LightTree&&) noexcept;
+  ~LightTree();
+
+  /// Full build, O(n log n). Allocates only while the lights grow in number.
+  void build(const LightSet& lights);
+
+  /// For lights that moved, turned or changed their colour; their number, kinds, groups and whether they have a range
+  /// are those of the last build, else it returns false and changes nothing. Linear in the lights, with `moved`
+  /// (indices as LightSet::visit counts, any order) in these times the tree's depth. Nothing allocates.
+  bool refit(const LightSet& lights);
+  bool refit(const LightSet& lights, std::span<const std::uint32_t> moved);
+
+  /// Refits; builds where that cannot be, or where clusters have grown by kWorthBuilding.
+  void update(const LightSet& lights);
+  static constexpr float kWorthBuilding = 1.25f;
+
+  /// Sum of the clusters' sizes over that at the last build: how much worse than a fresh one the tree has become.
+  float growth() const noexcept;
+
+  /// To be added to PreparedLights, in this order, after `set` of the same lights.
+  std::span<const SphereLight> clusters() const noexcept;
+
+  /// Clears `out` and fills it; allocates only while it grows. O(log n) where lights are spread evenly, 1/target in
+  /// general. The same bits on every thread. Continuous in positions, colours, cones and the query, but for a light
+  /// that is switched on.
+  void select(const LightQuery& query, LightSelection& out) const;
+
+ private:
+  std::unique_ptr<detail::LightTreeState> state_;
+};
+
+}  // namespace rigel
