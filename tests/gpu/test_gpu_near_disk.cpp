@@ -44,9 +44,6 @@ DiskCase nearCase(Random& random, DiskFamily family, float wrap) {
   return c;
 }
 
-// Of the view in float where C++ has the height and the distance from the rim in double: 5.8e-7 where a form's own
-// error is below that.
-constexpr double kRounding = 1e-6;
 // Worst measured 9.6e-7.
 constexpr double kLambertError = 2e-6;
 
@@ -84,17 +81,17 @@ double termsOf(const DiskCase& c) {
   return disk.lit ? disk.powerScale * detail::viewOf<double>(disk).flux : 1;
 }
 
-/// `agreement`: of shader and C++, the stricter comparison where the form approximates; the truth, which takes its time
-/// where there is wrap, for every `step`-th.
-void compare(const Form& form, tools::ShaderFunction& function, DiskFamily family, int count, float wrap,
-             double agreement, double error, std::size_t step = 1) {
+/// One family. `agreement`: of shader and C++, the stricter comparison where the form approximates; the truth, which
+/// takes its time where there is wrap, for every `step`-th. Gives the worst difference of the two.
+double compare(const Form& form, tools::ShaderFunction& function, DiskFamily family, int count, float wrap,
+               double agreement, TwinFamilies& families, std::size_t step) {
   Random random(920 + static_cast<std::uint64_t>(family));
   const NearWrap packed = nearWrap(wrap);
   std::vector<DiskCase> cases;
   for (int k = 0; k < count; ++k) cases.push_back(nearCase(random, family, wrap));
   const std::vector<float> results = run(function, rowsOf(cases, packed));
-  ASSERT_EQ(results.size(), 3 * cases.size());
-  TwinCheck check(form.name + ", " + nameOf(family) + ", wrap " + describe(wrap));
+  EXPECT_EQ(results.size(), 3 * cases.size());
+  TwinCheck& check = families[nameOf(family)];
   double worst = 0;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const DiskCase& c = cases[i];
@@ -103,11 +100,22 @@ void compare(const Form& form, tools::ShaderFunction& function, DiskFamily famil
     if (i % step == 0) check.add(results[3 * i], expected, form.truth(c, wrap), terms, [&] { return describe(c); });
     const double difference = TwinCheck::relativeError(results[3 * i], expected, terms);
     worst = std::max(worst, difference);
-    ASSERT_LE(difference, agreement) << form.name << ": shader " << results[3 * i] << ", C++ " << expected << " at "
+    EXPECT_LE(difference, agreement) << form.name << ": shader " << results[3 * i] << ", C++ " << expected << " at "
                                      << describe(c);
+    if (difference > agreement) break;
   }
-  check.expectWithinTwice(kRounding);
-  EXPECT_LE(check.gpuError(), error) << form.name << ", " << nameOf(family);
+  return worst;
+}
+
+/// Every family, `count` of each; `error`: the largest that the form may have.
+void compareFamilies(const Form& form, tools::ShaderFunction& function, int count, float wrap, double agreement,
+                     double error, std::size_t step = 1) {
+  TwinFamilies families(form.name + ", wrap " + describe(wrap));
+  double worst = 0;
+  for (const DiskFamily family : kDiskFamilies)
+    worst = std::max(worst, compare(form, function, family, count, wrap, agreement, families, step));
+  families.expectWithinTwice();
+  EXPECT_LE(families.gpuError(), error) << form.name;
   std::printf("  shader and C++ differ by %.2g\n", worst);
 }
 
@@ -115,37 +123,33 @@ void compare(const Form& form, tools::ShaderFunction& function, DiskFamily famil
 constexpr double kAgreement = 2e-6;
 // For a < 0 the kernel meets the horizon vertically, so that the rounding of n.w counts for more.
 constexpr double kSteepAgreement = 8e-6;
-// What the forms are off by themselves, worst near the rim: 2.6 %, 15 %, 6 % (a < 0).
-constexpr double kWrapError = 0.035, kCheapError = 0.2, kCorrectorError = 0.08;
+// What the forms are off by themselves, worst near the rim: 3.7 %, 15 %, 6 % (a < 0).
+constexpr double kWrapError = 0.045, kCheapError = 0.2, kCorrectorError = 0.08;
 // Where the disk fills the hemisphere, 1 - s^2 is all rounding.
 constexpr double kCheapAgreement = 4e-4;
 
 TEST(GpuNearDisk, Lambert) {
   tools::ShaderFunction function = nearShader();
-  for (const DiskFamily family : kDiskFamilies)
-    compare(kNear, function, family, kCases / 5, 0, kAgreement, kLambertError);
+  compareFamilies(kNear, function, kCases / 5, 0, kAgreement, kLambertError);
 }
 
 TEST(GpuNearDisk, Wrap) {
   tools::ShaderFunction function = nearShader();
   for (const float wrap : {-0.25f, -0.05f, 0.3f, 0.8f, 1.0f})
-    for (const DiskFamily family : kDiskFamilies)
-      compare(kNear, function, family, 3000, wrap, wrap < 0 ? kSteepAgreement : kAgreement, kWrapError,
-              fullRun() ? 1 : 15);
+    compareFamilies(kNear, function, 3000, wrap, wrap < 0 ? kSteepAgreement : kAgreement, kWrapError,
+                    fullRun() ? 1 : 15);
 }
 
 TEST(GpuNearDisk, Cheap) {
   tools::ShaderFunction function = shader(kCheap.call);
-  for (const DiskFamily family : kDiskFamilies)
-    compare(kCheap, function, family, kCases / 5, 0, kCheapAgreement, kCheapError);
+  compareFamilies(kCheap, function, kCases / 5, 0, kCheapAgreement, kCheapError);
 }
 
 TEST(GpuNearDisk, Corrector) {
   tools::ShaderFunction function = shader(kCorrector.call);
   for (const float wrap : {-0.2f, 0.0f, 0.5f})
-    for (const DiskFamily family : kDiskFamilies)
-      compare(kCorrector, function, family, 5000, wrap, wrap < 0 ? kSteepAgreement : kAgreement, kCorrectorError,
-              fullRun() || wrap == 0 ? 1 : 25);
+    compareFamilies(kCorrector, function, 5000, wrap, wrap < 0 ? kSteepAgreement : kAgreement, kCorrectorError,
+                    fullRun() || wrap == 0 ? 1 : 25);
 }
 
 TEST(GpuNearDisk, WrapByTheTable) {
