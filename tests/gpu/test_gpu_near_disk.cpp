@@ -81,10 +81,10 @@ double termsOf(const DiskCase& c) {
   return disk.lit ? disk.powerScale * detail::viewOf<double>(disk).flux : 1;
 }
 
-/// One family. `agreement`: of shader and C++, the stricter comparison where the form approximates; the truth, which
-/// takes its time where there is wrap, for every `step`-th. Gives the worst difference of the two.
+/// One family. `agreement`: of shader and C++, the stricter comparison where the form approximates. Gives the worst
+/// difference of the two.
 double compare(const Form& form, tools::ShaderFunction& function, DiskFamily family, int count, float wrap,
-               double agreement, TwinFamilies& families, std::size_t step) {
+               double agreement, TwinFamilies& families) {
   Random random(920 + static_cast<std::uint64_t>(family));
   const NearWrap packed = nearWrap(wrap);
   std::vector<DiskCase> cases;
@@ -97,7 +97,7 @@ double compare(const Form& form, tools::ShaderFunction& function, DiskFamily fam
     const DiskCase& c = cases[i];
     const double terms = termsOf(c);
     const float expected = form.twin(c.near(), c, packed).r;
-    if (i % step == 0) check.add(results[3 * i], expected, form.truth(c, wrap), terms, [&] { return describe(c); });
+    check.add(results[3 * i], expected, form.truth(c, wrap), terms, [&] { return describe(c); });
     const double difference = TwinCheck::relativeError(results[3 * i], expected, terms);
     worst = std::max(worst, difference);
     EXPECT_LE(difference, agreement) << form.name << ": shader " << results[3 * i] << ", C++ " << expected << " at "
@@ -109,11 +109,11 @@ double compare(const Form& form, tools::ShaderFunction& function, DiskFamily fam
 
 /// Every family, `count` of each; `error`: the largest that the form may have.
 void compareFamilies(const Form& form, tools::ShaderFunction& function, int count, float wrap, double agreement,
-                     double error, std::size_t step = 1) {
+                     double error) {
   TwinFamilies families(form.name + ", wrap " + describe(wrap));
   double worst = 0;
   for (const DiskFamily family : kDiskFamilies)
-    worst = std::max(worst, compare(form, function, family, count, wrap, agreement, families, step));
+    worst = std::max(worst, compare(form, function, family, count, wrap, agreement, families));
   families.expectWithinTwice();
   EXPECT_LE(families.gpuError(), error) << form.name;
   std::printf("  shader and C++ differ by %.2g\n", worst);
@@ -136,8 +136,7 @@ TEST(GpuNearDisk, Lambert) {
 TEST(GpuNearDisk, Wrap) {
   tools::ShaderFunction function = nearShader();
   for (const float wrap : {-0.25f, -0.05f, 0.3f, 0.8f, 1.0f})
-    compareFamilies(kNear, function, 3000, wrap, wrap < 0 ? kSteepAgreement : kAgreement, kWrapError,
-                    fullRun() ? 1 : 15);
+    compareFamilies(kNear, function, 3000, wrap, wrap < 0 ? kSteepAgreement : kAgreement, kWrapError);
 }
 
 TEST(GpuNearDisk, Cheap) {
@@ -148,8 +147,7 @@ TEST(GpuNearDisk, Cheap) {
 TEST(GpuNearDisk, Corrector) {
   tools::ShaderFunction function = shader(kCorrector.call);
   for (const float wrap : {-0.2f, 0.0f, 0.5f})
-    compareFamilies(kCorrector, function, 5000, wrap, wrap < 0 ? kSteepAgreement : kAgreement, kCorrectorError,
-                    fullRun() || wrap == 0 ? 1 : 25);
+    compareFamilies(kCorrector, function, 5000, wrap, wrap < 0 ? kSteepAgreement : kAgreement, kCorrectorError);
 }
 
 TEST(GpuNearDisk, WrapByTheTable) {
