@@ -69,18 +69,27 @@ TEST(GpuNearCap, Arctangent) {
   source.outputs = {"float angle", "float tail"};
   source.body = "angle = rigel_atanQuadrant(y, x);\ntail = rigel_atanTail(min(1.0, y * y));";
   const std::vector<float> values = evaluate(source, rows);
-  TwinCheck angles("arc tangent of the quadrant");
-  TwinCheck tails("arc tangent less its argument");
+  TwinFamilies angles("arc tangent of the quadrant");
+  TwinFamilies tails("arc tangent less its argument");
   for (int k = 0; k < kCases; ++k) {
     const float y = rows[2 * k], x = rows[2 * k + 1];
     const auto text = [&] { return "y " + describe(y) + ", x " + describe(x); };
-    angles.add(values[2 * k], detail::atanQuadrant(y, x), std::atan2(static_cast<double>(y), static_cast<double>(x)),
-               kPi / 2, text);
+    const std::string family = y == 0 || x == 0 ? "on an axis"
+                               : y == x         ? "on the diagonal"
+                               : y < 1e-3f * x  ? "all but on x"
+                               : 1e-3f * y > x  ? "all but on y"
+                               : y < x          ? "nearer x"
+                                                : "nearer y";
+    angles[family].add(values[2 * k], detail::atanQuadrant(y, x),
+                       std::atan2(static_cast<double>(y), static_cast<double>(x)), kPi / 2, text);
     const float square = std::min(1.0f, y * y);
     const double root = std::sqrt(static_cast<double>(square));
     const double exact = root > 1e-2 ? (root - std::atan(root)) / (root * root * root)
                                      : 1.0 / 3 - root * root / 5 + std::pow(root, 4) / 7;
-    tails.add(values[2 * k + 1], detail::atanTail(square), exact, 1.0 / 3, text);
+    tails[y >= 1      ? "from 1 on"
+          : y > 0.01f ? "to 1"
+                      : "to 0.01"]
+        .add(values[2 * k + 1], detail::atanTail(square), exact, 1.0 / 3, text);
   }
   angles.expectWithinTwice();
   tails.expectWithinTwice();
@@ -90,6 +99,7 @@ TEST(GpuNearCap, Caps) {
   struct Row {
     float x, s, c, width;
     GpuWrap wrap;
+    std::string family;
   };
   Random random(802);
   std::vector<Row> cases;
@@ -100,8 +110,14 @@ TEST(GpuNearCap, Caps) {
     if (random.index(8) == 0) row.s = 1;
     row.c = std::sqrt((1 - row.s) * (1 + row.s));
     const float x[] = {row.s, -row.s, 0, random.uniformf(-1, 1) * row.s, random.uniformf(-1, 1)};
-    row.x = x[random.index(5)];
+    const char* where[] = {"at its rim above", "at its rim below", "at its middle", "across", "anywhere"};
+    const int i = random.index(5);
+    row.x = x[i];
     row.wrap = gpuWrap(random.index(4) == 0 ? 0.0f : random.uniformf(-0.25, 1), random.uniformf(0.5, 1.5));
+    row.family = std::string("horizon ") + where[i] + (row.s == 1 ? ", all round" : "") +
+                 (row.wrap.a == 0  ? ", Lambert"
+                  : row.wrap.a < 0 ? ", a < 0"
+                                   : ", a > 0");
     row.width = random.uniformf(0, 0.6);
     rows.insert(rows.end(), {row.x, row.s, row.c, row.width});
     append(rows, row.wrap);
@@ -117,8 +133,8 @@ TEST(GpuNearCap, Caps) {
       "kernel = rigel_blurredKernel(x, width, wrap);\nshare = rigel_highBandShare(s * s);\n"
       "cap = rigel_wrapCap(x, s, c, wrap);\nabove = rigel_kernelAboveBand2(x, wrap);";
   const std::vector<float> values = evaluate(source, rows);
-  TwinCheck lambert("Lambert cap"), cheap("cheap Lambert cap"), kernel("blurred kernel"), share("share of high bands"),
-      cap("wrap cap"), above("kernel above band 2");
+  TwinFamilies lambert("Lambert cap"), cheap("cheap Lambert cap"), kernel("blurred kernel"),
+      share("share of high bands"), cap("wrap cap"), above("kernel above band 2");
   for (int k = 0; k < kCases; ++k) {
     const Row& row = cases[k];
     // The float c is c to within rounding; terms of size s that cancel to s^3 want s^2 + c^2 = 1.
@@ -128,19 +144,19 @@ TEST(GpuNearCap, Caps) {
       return "x " + describe(row.x) + ", s " + describe(row.s) + ", width " + describe(row.width) + ", a " +
              describe(row.wrap.a);
     };
-    lambert.add(v[0], detail::lambertCap(row.x, row.s, row.c), lambertCapDouble(x, s, c), 1, text);
+    lambert[row.family].add(v[0], detail::lambertCap(row.x, row.s, row.c), lambertCapDouble(x, s, c), 1, text);
     const double t = std::clamp(x / s, -1.0, 1.0), g = 1 + c * (-2.818 + c * (2.973 - c * 1.285));
-    cheap.add(v[1], detail::lambertCapCheap(row.x, row.s, row.c),
-              std::max(x - s, 0.0) + 0.25 * s * (1 + t) * (1 + t + g * (1 - t)), 1, text);
-    kernel.add(v[2], detail::blurredKernel(row.x, row.width, row.wrap),
-               blurredKernelDouble(x, static_cast<double>(row.width), row.wrap), 1, text);
-    share.add(v[3], detail::highBandShare(row.s * row.s), shareDouble(s * s), 1, text);
-    cap.add(v[4], detail::wrapCap(row.x, row.s, row.c, row.wrap), wrapCapDouble(x, s, c, row.wrap),
-            static_cast<double>(row.wrap.gain), text);
-    above.add(v[5], detail::kernelAboveBand2(row.x, row.wrap), aboveBand2Double(x, row.wrap),
-              static_cast<double>(row.wrap.gain), text);
+    cheap[row.family].add(v[1], detail::lambertCapCheap(row.x, row.s, row.c),
+                          std::max(x - s, 0.0) + 0.25 * s * (1 + t) * (1 + t + g * (1 - t)), 1, text);
+    kernel[row.family].add(v[2], detail::blurredKernel(row.x, row.width, row.wrap),
+                           blurredKernelDouble(x, static_cast<double>(row.width), row.wrap), 1, text);
+    share[row.family].add(v[3], detail::highBandShare(row.s * row.s), shareDouble(s * s), 1, text);
+    cap[row.family].add(v[4], detail::wrapCap(row.x, row.s, row.c, row.wrap), wrapCapDouble(x, s, c, row.wrap),
+                        static_cast<double>(row.wrap.gain), text);
+    above[row.family].add(v[5], detail::kernelAboveBand2(row.x, row.wrap), aboveBand2Double(x, row.wrap),
+                          static_cast<double>(row.wrap.gain), text);
   }
-  for (const TwinCheck* check : {&lambert, &cheap, &kernel, &share, &cap, &above}) check->expectWithinTwice();
+  for (const TwinFamilies* check : {&lambert, &cheap, &kernel, &share, &cap, &above}) check->expectWithinTwice();
 }
 
 }  // namespace
