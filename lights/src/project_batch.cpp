@@ -38,6 +38,7 @@ struct Rows {
   SeenLanes seen[kLightBlock];
   Lane basis[kLightBlock][B * B];
   Rgb colour[kLightBlock];
+  const float* shares[kLightBlock];  // of points and spots; all spheres are there
 
   // What takes more than one look.
   struct Unsure {
@@ -62,6 +63,7 @@ HWY_NOINLINE void seeBlock(const LightBlock& block, const PointLanes& points, Ro
     const Sight sight = see<B, Kind, WithFootprint>(light, points, apart, rows.seen[count]);
     if (Kind != PreparedKind::sphere && sight.dark) continue;
     if (HWY_UNLIKELY(!all(sight.served && sight.small))) rows.unsure[unsureCount++] = {&light, count, sight};
+    if (Kind != PreparedKind::sphere) rows.shares[count] = block.shares[i];
     rows.colour[count++] = block.colour[i];
   }
   rows.count = count;
@@ -74,6 +76,18 @@ HWY_NOINLINE void seeUnsure(const PointLanes& points, Rows<B>& rows) {
     const auto& [light, row, sight] = rows.unsure[i];
     seeLarge(sight.small, rows.seen[row]);
     if (!all(sight.served)) seeWithCare(*light, points, sight.served, rows.seen[row]);
+  }
+}
+
+/// What a light's SH are proportional to, times the points' shares; `at`: where these begin in a row.
+template <int B, PreparedKind Kind>
+HWY_NOINLINE void weighShares(const LightBlock& block, std::size_t at, Rows<B>& rows) {
+  const float* const* shares = Kind == PreparedKind::sphere ? block.shares.data() : rows.shares;
+  for (int k = 0; k < rows.count; ++k) {
+    if (shares[k] == nullptr) continue;
+    const Lane share = Lane::load(shares[k] + at);
+    rows.seen[k].e *= share;
+    rows.seen[k].band0 *= share;
   }
 }
 
@@ -110,10 +124,10 @@ HWY_NOINLINE void addRows(const Rows<B>& rows, Lane* sums) {
 struct Tile {
   alignas(64) float x[kTileVectors * Lane::kCount], y[kTileVectors * Lane::kCount], z[kTileVectors * Lane::kCount],
       footprint[kTileVectors * Lane::kCount];
-  std::size_t count = 0;
+  std::size_t first = 0, count = 0;
   int vectors = 0;
 
-  Tile(const Vec3Rows& points, std::span<const float> footprints, std::size_t first) {
+  Tile(const Vec3Rows& points, std::span<const float> footprints, std::size_t begin) : first(begin) {
     count = std::min(points.size() - first, kTileVectors * Lane::kCount);
     vectors = static_cast<int>((count + Lane::kCount - 1) / Lane::kCount);
     fill(points.x.data() + first, x);
@@ -129,6 +143,10 @@ struct Tile {
     return {Lane::load(x + at), Lane::load(y + at), Lane::load(z + at), Lane::load(footprint + at)};
   }
   Vec3Rows rows() const { return {{x, padded()}, {y, padded()}, {z, padded()}}; }
+  /// Where the shares of a vector begin in a row.
+  std::size_t shareAt(int v, std::size_t period) const {
+    return (first + static_cast<std::size_t>(v) * Lane::kCount) % period;
+  }
   std::size_t padded() const { return static_cast<std::size_t>(vectors) * Lane::kCount; }
 
  private:
@@ -142,12 +160,13 @@ template <int B>
 constexpr int kRows = 3 * B* B;
 
 template <int B, PreparedKind Kind, bool WithFootprint>
-void addBlock(LightBlock& block, const Tile& tile, Rows<B>& rows, Lane* sums) {
+void addBlock(LightBlock& block, const Tile& tile, std::size_t period, Rows<B>& rows, Lane* sums) {
   block.light[block.count] = block.light[block.count - 1];
   for (int v = 0; v < tile.vectors; ++v, sums += kRows<B>) {
     const PointLanes points = tile.points(v);
     seeBlock<B, Kind, WithFootprint>(block, points, rows);
     seeUnsure<B>(points, rows);
+    if (block.shared) weighShares<B, Kind>(block, tile.shareAt(v, period), rows);
     if constexpr (B * B <= kSumGroup) {
       addWeighed<B>(rows, sums);
     } else {
@@ -156,28 +175,38 @@ void addBlock(LightBlock& block, const Tile& tile, Rows<B>& rows, Lane* sums) {
     }
   }
   block.count = 0;
+  block.shared = false;
 }
 
 template <int B, bool WithFootprint>
-HWY_NOINLINE void sumLocalLights(const PreparedLights& lights, std::span<const LightUse> uses, const Tile& tile,
-                                 Lane* sums) {
+HWY_NOINLINE void sumLocalLights(const PreparedLights& lights, std::span<const LightUse> uses,
+                                 const PointShares& shares, const Tile& tile, Lane* sums) {
   Rows<B> rows;
   LightBlock spheres, points, spots;
-  for (const LightUse& use : uses) {
-    const PreparedLight& light = lights[use.light];
-    const float share = detail::heldShare(use.share);
+  for (std::size_t u = 0; u < uses.size(); ++u) {
+    const PreparedLight& light = lights[uses[u].light];
+    const float share = detail::heldShare(uses[u].share);
+    const float* row = detail::shareRow(shares, u);
     const auto add = [&]<PreparedKind Kind>(LightBlock& block, std::integral_constant<PreparedKind, Kind>) {
       block.light[block.count] = &light;
       block.colour[block.count] = light.colour * share;
-      if (++block.count == kLightBlock) addBlock<B, Kind, WithFootprint>(block, tile, rows, sums);
+      block.shares[block.count] = row;
+      block.shared = block.shared || row != nullptr;
+      if (++block.count == kLightBlock) addBlock<B, Kind, WithFootprint>(block, tile, shares.period, rows, sums);
     };
     if (light.kind == PreparedKind::sphere) add(spheres, std::integral_constant<PreparedKind, PreparedKind::sphere>());
     if (light.kind == PreparedKind::point) add(points, std::integral_constant<PreparedKind, PreparedKind::point>());
     if (light.kind == PreparedKind::spot) add(spots, std::integral_constant<PreparedKind, PreparedKind::spot>());
   }
-  if (spheres.count > 0) addBlock<B, PreparedKind::sphere, WithFootprint>(spheres, tile, rows, sums);
-  if (points.count > 0) addBlock<B, PreparedKind::point, WithFootprint>(points, tile, rows, sums);
-  if (spots.count > 0) addBlock<B, PreparedKind::spot, WithFootprint>(spots, tile, rows, sums);
+  if (spheres.count > 0) addBlock<B, PreparedKind::sphere, WithFootprint>(spheres, tile, shares.period, rows, sums);
+  if (points.count > 0) addBlock<B, PreparedKind::point, WithFootprint>(points, tile, shares.period, rows, sums);
+  if (spots.count > 0) addBlock<B, PreparedKind::spot, WithFootprint>(spots, tile, shares.period, rows, sums);
+}
+
+/// What the points of a vector take of a light.
+HWY_INLINE Lane shareOf(const PointShares& shares, std::size_t use, const Tile& tile, int v) {
+  const float* row = detail::shareRow(shares, use);
+  return row == nullptr ? Lane(1.0f) : Lane::load(row + tile.shareAt(v, shares.period));
 }
 
 /// A disk's SH per unit radiance; in scalars at points whose footprint is larger than the disk.
@@ -193,23 +222,44 @@ void diskSh(const PreparedLight& light, const Tile& tile, float* sh) {
 }
 
 template <int B>
-HWY_NOINLINE void addDisks(const PreparedLights& lights, std::span<const LightUse> uses, const Tile& tile, Lane* sums) {
+HWY_NOINLINE void addDisks(const PreparedLights& lights, std::span<const LightUse> uses, const PointShares& shares,
+                           const Tile& tile, Lane* sums) {
   float sh[B * B * kTileVectors * Lane::kCount];
-  for (const LightUse& use : uses) {
-    const PreparedLight& light = lights[use.light];
-    const float share = detail::heldShare(use.share);
+  for (std::size_t u = 0; u < uses.size(); ++u) {
+    const PreparedLight& light = lights[uses[u].light];
+    const float share = detail::heldShare(uses[u].share);
     if (light.kind != PreparedKind::disk || !(share > 0)) continue;
     diskSh<B>(light, tile, sh);
-    for (int v = 0; v < tile.vectors; ++v)
+    for (int v = 0; v < tile.vectors; ++v) {
+      const Lane own = shareOf(shares, u, tile, v);
       for (int i = 0; i < B * B; ++i) {
         const Lane computed = Lane::load(sh + i * tile.padded() + static_cast<std::size_t>(v) * Lane::kCount);
         // Distances that overflow leave no number; nothing is as much as 8.
-        const Lane unit = select(abs(computed) < Lane(8.0f), computed, Lane(0.0f));
+        const Lane unit = own * select(abs(computed) < Lane(8.0f), computed, Lane(0.0f));
         for (int c = 0; c < 3; ++c) {
           Lane& sum = sums[v * kRows<B> + 3 * i + c];
           sum = mulAdd(unit, Lane(light.colour[c] * share), sum);
         }
       }
+    }
+  }
+}
+
+/// Directional lights of which points have shares of their own.
+template <int B>
+HWY_NOINLINE void addSharedDirectional(const PreparedLights& lights, std::span<const LightUse> uses,
+                                       const PointShares& shares, const Tile& tile, Lane* sums) {
+  for (std::size_t u = 0; u < shares.rows.size(); ++u) {
+    const PreparedLight& light = lights[uses[u].light];
+    if (light.kind != PreparedKind::directional || shares.rows[u] == nullptr) continue;
+    const RadianceSH<B> sh = detail::directionalSh<B>(light, uses[u].share);
+    for (int v = 0; v < tile.vectors; ++v) {
+      const Lane own = shareOf(shares, u, tile, v);
+      for (int i = 0; i < kRows<B>; ++i) {
+        Lane& sum = sums[v * kRows<B> + i];
+        sum = mulAdd(own, Lane(sh.data()[i]), sum);
+      }
+    }
   }
 }
 
@@ -241,19 +291,20 @@ HWY_NOINLINE void storeRows(const Lane* sums, std::size_t count, float* out, std
 
 template <int B>
 void projectPoints(const PreparedLights& lights, std::span<const LightUse> uses, const Vec3Rows& points,
-                   std::span<const float> footprints, float* out) {
+                   std::span<const float> footprints, const PointShares& shares, float* out) {
   RadianceSH<B> everywhere;
-  if (lights.anyDirectional()) everywhere = detail::directionalSh<B>(lights, uses);
+  if (lights.anyDirectional()) everywhere = detail::directionalSh<B>(lights, uses, shares);
   Lane sums[kTileVectors * kRows<B>];
   for (std::size_t at = 0; at < points.size(); at += kTileVectors * Lane::kCount) {
     const Tile tile(points, footprints, at);
     std::fill_n(sums, tile.vectors * kRows<B>, Lane(0.0f));
     if (footprints.empty())
-      sumLocalLights<B, false>(lights, uses, tile, sums);
+      sumLocalLights<B, false>(lights, uses, shares, tile, sums);
     else
-      sumLocalLights<B, true>(lights, uses, tile, sums);
+      sumLocalLights<B, true>(lights, uses, shares, tile, sums);
     finish<B>(everywhere, tile.vectors, sums);
-    if (lights.anyDisk()) addDisks<B>(lights, uses, tile, sums);
+    if (lights.anyDisk()) addDisks<B>(lights, uses, shares, tile, sums);
+    if (lights.anyDirectional()) addSharedDirectional<B>(lights, uses, shares, tile, sums);
     storeRows<B>(sums, tile.count, out + at, points.size());
   }
 }
@@ -261,11 +312,11 @@ void projectPoints(const PreparedLights& lights, std::span<const LightUse> uses,
 }  // namespace
 
 void projectLights(const PreparedLights& lights, std::span<const LightUse> uses, const Vec3Rows& points,
-                   std::span<const float> footprints, int bands, float* sums) {
-  if (bands == 2) return projectPoints<2>(lights, uses, points, footprints, sums);
-  if (bands == 3) return projectPoints<3>(lights, uses, points, footprints, sums);
-  if (bands == 4) return projectPoints<4>(lights, uses, points, footprints, sums);
-  return projectPoints<5>(lights, uses, points, footprints, sums);
+                   std::span<const float> footprints, const PointShares& shares, int bands, float* sums) {
+  if (bands == 2) return projectPoints<2>(lights, uses, points, footprints, shares, sums);
+  if (bands == 3) return projectPoints<3>(lights, uses, points, footprints, shares, sums);
+  if (bands == 4) return projectPoints<4>(lights, uses, points, footprints, shares, sums);
+  return projectPoints<5>(lights, uses, points, footprints, shares, sums);
 }
 
 }  // namespace rigel::HWY_NAMESPACE
@@ -278,16 +329,17 @@ HWY_EXPORT(projectLights);
 
 template <int B>
 void projectBatch(const PreparedLights& lights, std::span<const LightUse> uses, const Vec3Rows& points,
-                  std::span<const float> footprints, std::span<float> sums) noexcept {
+                  std::span<const float> footprints, std::span<float> sums, const PointShares& shares) noexcept {
   assert(points.y.size() == points.size() && points.z.size() == points.size());
   assert(footprints.empty() || footprints.size() == points.size());
   assert(sums.size() == 3 * B * B * points.size());
-  HWY_DYNAMIC_DISPATCH(projectLights)(lights, uses, points, footprints, B, sums.data());
+  assert(shares.rows.empty() || (shares.rows.size() == uses.size() && shares.period > 0));
+  HWY_DYNAMIC_DISPATCH(projectLights)(lights, uses, points, footprints, shares, B, sums.data());
 }
 
 #define RIGEL_INSTANTIATE(B)                                                                       \
   template void projectBatch<B>(const PreparedLights&, std::span<const LightUse>, const Vec3Rows&, \
-                                std::span<const float>, std::span<float>) noexcept;
+                                std::span<const float>, std::span<float>, const PointShares&) noexcept;
 RIGEL_INSTANTIATE(2)
 RIGEL_INSTANTIATE(3)
 RIGEL_INSTANTIATE(4)

@@ -3,6 +3,7 @@
 
 #include <rigel/prepared_lights.h>
 #include <rigel/project.h>
+#include <rigel/project_batch.h>
 #include <rigel/shader_constants.h>
 
 #include <algorithm>
@@ -23,6 +24,8 @@ struct LightBlock {
   int count = 0;
   std::array<const PreparedLight*, kLightBlock + 1> light;  // one more, any, behind the last
   std::array<Rgb, kLightBlock> colour;
+  std::array<const float*, kLightBlock> shares;  // of PointShares
+  bool shared = false;                           // not all of them null
 };
 
 inline float heldShare(float share) noexcept { return share > 0 ? std::min(share, 1.0f) : 0.0f; }
@@ -42,17 +45,31 @@ constexpr std::array<float, shCount(B)> shScale() noexcept {
   return scale;
 }
 
-/// SH of the directional lights, which are the same at every point.
+/// The row of a use's shares, or null.
+inline const float* shareRow(const PointShares& shares, std::size_t use) noexcept {
+  return shares.rows.empty() ? nullptr : shares.rows[use];
+}
+
+/// SH of a directional light.
 template <int B>
-RadianceSH<B> directionalSh(const PreparedLights& lights, std::span<const LightUse> uses) noexcept {
+RadianceSH<B> directionalSh(const PreparedLight& light, float share) noexcept {
   RadianceSH<B> sh;
-  for (const LightUse& use : uses) {
-    const PreparedLight& light = lights[use.light];
-    if (light.kind != PreparedKind::directional) continue;
-    float y[shCount(B)];
-    basisPolynomials<B>(light.position, y);
-    const Rgb colour = light.colour * heldShare(use.share);
-    for (int i = 0; i < shCount(B); ++i) sh[i] += colour * y[i];
+  float y[shCount(B)];
+  basisPolynomials<B>(light.position, y);
+  const Rgb colour = light.colour * heldShare(share);
+  for (int i = 0; i < shCount(B); ++i) sh[i] = colour * y[i];
+  return sh;
+}
+
+/// SH of the directional lights that are the same at every point.
+template <int B>
+RadianceSH<B> directionalSh(const PreparedLights& lights, std::span<const LightUse> uses,
+                            const PointShares& shares) noexcept {
+  RadianceSH<B> sh;
+  for (std::size_t u = 0; u < uses.size(); ++u) {
+    const PreparedLight& light = lights[uses[u].light];
+    if (light.kind != PreparedKind::directional || shareRow(shares, u) != nullptr) continue;
+    sh += directionalSh<B>(light, uses[u].share);
   }
   return sh;
 }
