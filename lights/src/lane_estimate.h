@@ -11,19 +11,19 @@
 HWY_BEFORE_NAMESPACE();
 namespace rigel::HWY_NAMESPACE {
 
-// Roots come in two steps, between which other work fits. x is positive and finite, or the result anything.
+// x is positive and finite, or the result anything.
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
 
-HWY_INLINE Lane estimateRoot(Lane x) { return hn::ApproximateReciprocalSqrt(x.v); }
-
-HWY_INLINE Lane rootFrom(Lane x, Lane estimate) {
-  const Lane root = x * estimate;
-  return mulAdd(root * Lane(0.5f), negMulAdd(root, estimate, Lane(1.0f)), root);
+HWY_INLINE Lane root(Lane x) {
+  const Lane y = hn::ApproximateReciprocalSqrt(x.v);
+  const Lane root = x * y;
+  return mulAdd(root * Lane(0.5f), negMulAdd(root, y, Lane(1.0f)), root);
 }
 
 /// 1 / sqrt(x).
-HWY_INLINE Lane inverseRootFrom(Lane x, Lane estimate) {
-  return mulAdd(estimate * Lane(0.5f), negMulAdd(x * estimate, estimate, Lane(1.0f)), estimate);
+HWY_INLINE Lane inverseRoot(Lane x) {
+  const Lane y = hn::ApproximateReciprocalSqrt(x.v);
+  return mulAdd(y * Lane(0.5f), negMulAdd(x * y, y, Lane(1.0f)), y);
 }
 
 /// a / b, b of ordinary size.
@@ -34,9 +34,8 @@ HWY_INLINE Lane quotient(Lane a, Lane b) {
 
 #else
 
-HWY_INLINE Lane estimateRoot(Lane x) { return sqrt(x); }
-HWY_INLINE Lane rootFrom(Lane, Lane estimate) { return estimate; }
-HWY_INLINE Lane inverseRootFrom(Lane, Lane estimate) { return Lane(1.0f) / estimate; }
+HWY_INLINE Lane root(Lane x) { return sqrt(x); }
+HWY_INLINE Lane inverseRoot(Lane x) { return Lane(1.0f) / sqrt(x); }
 HWY_INLINE Lane quotient(Lane a, Lane b) { return a / b; }
 
 #endif

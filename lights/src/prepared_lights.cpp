@@ -49,7 +49,8 @@ PreparedLight prepared(const PointLight& light) noexcept {
   out.position = light.position;
   out.radius = std::clamp(light.radius, kMinPointRadius, std::numeric_limits<float>::max());
   out.colour = scaled(light.intensity, 1);
-  out.inverseRange = std::min(1 / light.range, std::numeric_limits<float>::max());
+  out.radiusSquare = out.radius * out.radius;
+  out.inverseRangeSquare = rounded(1 / (static_cast<double>(light.range) * light.range));
   setNearest(out, 1);
   return out;
 }

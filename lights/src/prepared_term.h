@@ -12,9 +12,8 @@ namespace rigel::detail {
 /// Closer than sqrt(2) radii c takes its digits from d^2 - r^2 in double.
 inline constexpr double kCloseSquare = 2;
 
-/// Between these squares of the distance the kernels stay in float.
+/// From this square of the distance on the kernels stay in float, up to where it overflows.
 inline constexpr double kMinPreparedSquare = 1e-30;
-inline constexpr double kMaxPreparedSquare = 1e36;
 
 /// What e may be at most, so that 2 colour e stays within kMaxProjectionScale.
 inline double largestFlux(Rgb colour) noexcept {
@@ -35,7 +34,8 @@ inline LocalTerm preparedTerm(const PreparedLight& light, Vec3 p, float footprin
   }
   const double reach = std::max(term.view.distance, term.view.radius);
   term.fluxScale = 1 / (reach * reach);
-  if (light.inverseRange > 0) term.modulation = rangeWindow(term.view, 1 / static_cast<double>(light.inverseRange));
+  if (light.inverseRangeSquare > 0)
+    term.modulation = rangeWindow(term.view, 1 / std::sqrt(static_cast<double>(light.inverseRangeSquare)));
   if (light.kind == PreparedKind::spot) {
     const Vec3d axis = widen(light.axis);
     const double along = dot(term.view.w, axis);

@@ -22,22 +22,21 @@ struct PointLanes {
 struct SeenLanes {
   Lane wx, wy, wz;  // unit vector towards it
   Lane e;           // times window and cone; inside a sphere also times (d/r)^2
-  Lane s2;          // (r/d)^2, the sine squared
   Lane c;           // the cosine
   Lane band0;       // e / (1 + c); inside e (1 - c)
 };
 
 /// How `see` fared.
 struct Sight {
-  LaneMask served;    // where float serves; elsewhere what is seen is of no use
-  LaneMask small;     // where c and band0 are right
-  bool dark = false;  // reaches none of the points
+  LaneMask served;  // where float serves, if it is small there; elsewhere what is seen is of no use
+  LaneMask small;   // where c and band0 are right
+  Lane s2;          // (r/d)^2, the sine squared
+  bool dark;        // reaches none of the points
 };
 
 /// clamp(1-(d/R)^4, 0, 1)^2.
-HWY_INLINE Lane rangeWindow(Lane square, float inverseRange) {
-  const Lane inverse(inverseRange);
-  const Lane x2 = square * inverse * inverse;
+HWY_INLINE Lane rangeWindow(Lane square, float inverseRangeSquare) {
+  const Lane x2 = square * Lane(inverseRangeSquare);
   const Lane u = max(negMulAdd(x2, x2, Lane(1.0f)), Lane(0.0f));
   return u * u;
 }
@@ -47,17 +46,18 @@ HWY_INLINE Lane smoothStep(Lane t) {
   return held * held * negMulAdd(Lane(2.0f), held, Lane(3.0f));
 }
 
-/// c and 1/(1+c) of lights that are small enough: series in s2, without a root. Of spheres three terms and no more than
-/// 1/32, which leave out 5/128 s2^4 and 7/256 s2^4; of points and spots, which are smaller unless they are right there,
-/// one term.
+/// 1 where it holds, else 0: on some machines masks cannot lie in arrays.
+HWY_INLINE Lane oneWhere(LaneMask mask) { return select(mask, Lane(1.0f), Lane(0.0f)); }
+
+/// c and 1/(1+c) of lights that are small enough, without a root: of spheres quadratics fitted to s2 < 1/64, within
+/// 1e-8; of points and spots, which are smaller unless they are right there, the first terms, which leave out s2^2/8
+/// and s2^2/16.
 template <detail::PreparedKind Kind>
-HWY_INLINE LaneMask seeSmall(SeenLanes& seen, Lane e, Lane s2) {
+HWY_INLINE LaneMask seeSmall(Lane e, Lane s2, SeenLanes& seen) {
   if constexpr (Kind == detail::PreparedKind::sphere) {
-    const Lane root = mulAdd(s2, mulAdd(s2, Lane(-1.0f / 16), Lane(-1.0f / 8)), Lane(-0.5f));
-    const Lane inverse = mulAdd(s2, mulAdd(s2, Lane(5.0f / 128), Lane(1.0f / 16)), Lane(1.0f / 8));
-    seen.c = mulAdd(s2, root, Lane(1.0f));
-    seen.band0 = e * mulAdd(s2, inverse, Lane(0.5f));
-    return s2 < Lane(1.0f / 32);
+    seen.c = mulAdd(s2, mulAdd(s2, Lane(-0.12637524f), Lane(-0.49999332f)), Lane(1.0f));
+    seen.band0 = e * mulAdd(s2, mulAdd(s2, Lane(0.063360702f), Lane(0.12499582f)), Lane(0.5f));
+    return s2 < Lane(1.0f / 64);
   } else {
     seen.c = negMulAdd(Lane(0.5f), s2, Lane(1.0f));
     seen.band0 = e * mulAdd(Lane(0.125f), s2, Lane(0.5f));
@@ -67,7 +67,7 @@ HWY_INLINE LaneMask seeSmall(SeenLanes& seen, Lane e, Lane s2) {
 
 /// The vectors from points to a light, with what takes longest to find.
 struct ApartLanes {
-  Lane x, y, z, square, root;
+  Lane x, y, z, square, inverse;
 };
 
 HWY_INLINE ApartLanes apartFrom(const detail::PreparedLight& light, const PointLanes& points) {
@@ -76,7 +76,7 @@ HWY_INLINE ApartLanes apartFrom(const detail::PreparedLight& light, const PointL
   apart.y = Lane(light.position.y) - points.y;
   apart.z = Lane(light.position.z) - points.z;
   apart.square = mulAdd(apart.x, apart.x, mulAdd(apart.y, apart.y, apart.z * apart.z));
-  apart.root = estimateRoot(apart.square);
+  apart.inverse = inverseRoot(apart.square);
   return apart;
 }
 
@@ -85,13 +85,13 @@ template <int B, detail::PreparedKind Kind, bool WithFootprint>
 HWY_INLINE Sight see(const detail::PreparedLight& light, const PointLanes& points, const ApartLanes& apart,
                      SeenLanes& seen) {
   constexpr bool kSphere = Kind == detail::PreparedKind::sphere;
-  Sight sight;
-  // Also false for NaN.
-  sight.served = apart.square >= Lane(light.nearestSquare) && apart.square <= Lane(detail::kMaxPreparedSquare);
+  bool dark = false;
+  // Also false for NaN. What is too far for floats makes s2 a NaN.
+  LaneMask served = apart.square >= Lane(light.nearestSquare);
   if constexpr (WithFootprint)
-    sight.served = sight.served && apart.square >= Lane(detail::kCloseSquare) * points.footprint * points.footprint;
+    served = served && apart.square >= Lane(detail::kCloseSquare) * points.footprint * points.footprint;
 
-  const Lane quick = inverseRootFrom(apart.square, apart.root);
+  const Lane quick = apart.inverse;
   Lane wx = apart.x * quick, wy = apart.y * quick, wz = apart.z * quick;
   // By how much w is too short: what the square's and the root's rounding left, each band taking it once more than the
   // one below. It goes into e, which has it twice, and beyond the third band out of w.
@@ -103,21 +103,27 @@ HWY_INLINE Sight see(const detail::PreparedLight& light, const PointLanes& point
     wy = apart.y * unit;
     wz = apart.z * unit;
   }
-  const Lane s = Lane(light.radius) * inverse;
-  Lane e = kSphere ? s * s : inverse * inverse;
-  if (!kSphere && light.inverseRange > 0) {
-    e *= rangeWindow(apart.square, light.inverseRange);
-    sight.dark = all(sight.served && e <= Lane(0.0f));
+  Lane e, s2;
+  if constexpr (kSphere) {
+    const Lane s = Lane(light.radius) * inverse;
+    s2 = e = s * s;
+  } else {
+    const Lane inverseSquare = inverse * inverse;
+    e = inverseSquare;
+    s2 = inverseSquare * Lane(light.radiusSquare);
+    if (light.inverseRangeSquare > 0) {
+      e *= rangeWindow(apart.square, light.inverseRangeSquare);
+      dark = all(e <= Lane(0.0f)) && all(served);
+    }
   }
   if constexpr (Kind == detail::PreparedKind::spot) {
     const Lane z = mulAdd(Lane(light.axis.z), wz, Lane(light.coneOffset));
     const Lane t = mulAdd(Lane(light.axis.x), wx, mulAdd(Lane(light.axis.y), wy, z));
     if (!all(t >= Lane(1.0f))) {
       e *= smoothStep(t);
-      sight.dark = all(sight.served && e <= Lane(0.0f));
+      dark = all(e <= Lane(0.0f)) && all(served);
     }
   }
-  Lane s2 = kSphere ? e : s * s;
   if constexpr (WithFootprint) {
     const Lane wide = max(Lane(light.radius), points.footprint) * inverse;
     s2 = wide * wide;
@@ -126,15 +132,14 @@ HWY_INLINE Sight see(const detail::PreparedLight& light, const PointLanes& point
   seen.wy = wy;
   seen.wz = wz;
   seen.e = e;
-  seen.s2 = s2;
-  sight.small = seeSmall<Kind>(seen, e, s2);
-  return sight;
+  const LaneMask small = seeSmall<Kind>(e, s2, seen);
+  return {served, small, s2, dark};
 }
 
 /// c and band0 where the light is not small.
-HWY_NOINLINE inline void seeLarge(LaneMask small, SeenLanes& seen) {
-  const Lane c2 = Lane(1.0f) - seen.s2;
-  const Lane c = rootFrom(c2, estimateRoot(c2));
+HWY_NOINLINE inline void seeLarge(Lane s2, Lane isSmall, SeenLanes& seen) {
+  const LaneMask small = isSmall > Lane(0.0f);
+  const Lane c = root(Lane(1.0f) - s2);
   seen.c = select(small, seen.c, c);
   seen.band0 = select(small, seen.band0, quotient(seen.e, Lane(1.0f) + c));
 }
@@ -198,14 +203,14 @@ HWY_INLINE void weighBasis(const SeenLanes& seen, const Put& put) {
 }
 
 /// What the lanes see that float does not serve, one by one in double.
-HWY_NOINLINE inline void seeWithCare(const detail::PreparedLight& light, const PointLanes& points, LaneMask sure,
+HWY_NOINLINE inline void seeWithCare(const detail::PreparedLight& light, const PointLanes& points, Lane isServed,
                                      SeenLanes& seen) {
   float x[Lane::kCount], y[Lane::kCount], z[Lane::kCount], footprint[Lane::kCount], served[Lane::kCount];
   float wx[Lane::kCount], wy[Lane::kCount], wz[Lane::kCount], c[Lane::kCount], band0[Lane::kCount], e[Lane::kCount];
   points.x.store(x), points.y.store(y), points.z.store(z), points.footprint.store(footprint);
   seen.wx.store(wx), seen.wy.store(wy), seen.wz.store(wz);
   seen.c.store(c), seen.band0.store(band0), seen.e.store(e);
-  select(sure, Lane(1.0f), Lane(0.0f)).store(served);
+  isServed.store(served);
   for (std::size_t k = 0; k < Lane::kCount; ++k) {
     if (served[k] != 0) continue;
     const detail::CarefulTerm term = detail::carefulTerm(light, {x[k], y[k], z[k]}, footprint[k]);

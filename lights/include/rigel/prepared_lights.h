@@ -29,7 +29,8 @@ struct alignas(64) PreparedLight {
   float nearestSquare = 0;  // d^2 from which float does without care: no contact, no overflow
   Vec3 axis;                // spots: unit, over the cone's width, and backwards; disks: as in the light's struct
   float coneOffset = 0;     // the cone's smoothstep is that of axis . w + coneOffset
-  float inverseRange = 0;   // 0: no window
+  float radiusSquare = 0;
+  float inverseRangeSquare = 0;            // 0: no window
   PreparedKind kind = PreparedKind::none;  // none: contributes nothing
   bool twoSided = false;
 };
