@@ -9,80 +9,51 @@
 // Taken is what has d >= k spread + x lopside + reach with k^2 = 3 N/tau, x = 2 N/tau: then
 // N (2 lopside/d + spread^2 G/d^2) <= tau, since d - x lopside >= k spread + reach and
 // (s + a) (d - a)^2 >= s^2 (d - 2a/3) for d - a >= s. No root and no division for a node that is opened.
-#include <rigel/wrap.h>
-
-#include "light_tree_state.h"
+#include "light_tree_query.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <type_traits>
 
 namespace rigel {
 namespace {
 
 using detail::LightTreeState;
 
-// Of the target: what clusters may err by; slopes have the rest.
-constexpr float kClusterShare = 0.75f;
-// The first pass takes clusters from this many spreads (and one reach) on.
+// The first pass takes clusters from this many spreads (and one reach) on at least.
 constexpr float kCoarse = 3;
 // A cluster gives way to its children over this share of its distance.
 constexpr float kBand = 0.08f;
 // What is dimmed to less than this counts as much less in U.
 constexpr float kDark = 0.02f;
-// Slopes are enough from this many radii on, and comfortably so at this share more.
-constexpr float kSlopeReach = 3;
-constexpr float kSlopeBand = 0.25f;
-// What errors and their shares are good to in float, the rounding of moments included.
-constexpr float kFloatSlack = 1 + 2e-5f;
-
-float smoothstep(float t) noexcept {
-  t = std::clamp(t, 0.0f, 1.0f);
-  return t * t * (3 - 2 * t);
-}
-
-/// G; for t < 1.
-float growthOf(float t) noexcept { return (3 - 2 * t) / ((1 - t) * (1 - t)); }
-
-/// What a light of power 1 gives at distance 1, over the normals.
-struct Field {
-  float rms, peak, mean;
-};
-
-Field fieldOf(float wrap) noexcept {
-  const std::array<float, 3> f = wrapCoefficients<3>(wrap);
-  const double e0 = 0.25 * f[0], e1 = 0.75 * f[1], e2 = 1.25 * f[2];
-  return {static_cast<float>(std::sqrt(e0 * e0 + e1 * e1 / 3 + e2 * e2 / 5)), static_cast<float>(e0 + e1 + e2),
-          static_cast<float>(e0)};
-}
-
 /// Mean irradiance over the normals of a light with distance d and radius r, per that of a point at distance 1.
 float meanOf(float d, float r) noexcept {
   if (d >= r) return 2 / (1 + std::sqrt((d - r) * (d + r)) / d) / (d * d);
   return 2 * (1 + std::sqrt((r - d) * (r + d)) / r) / (r * r);
 }
 
-class Query {
+class Query : BallQuery {
  public:
-  Query(const LightTreeState& state, const LightQuery& query, LightSelection& out) noexcept
-      : s_(state), q_(query), out_(out), field_(fieldOf(query.wrap)), b_(std::max(0.0f, query.radius)) {}
+  using BallQuery::BallQuery;
 
   void run() {
+    const float slopes = std::clamp(q_.slopeShare, 0.0f, 1.0f);
+    slopes_ = slopes > 0;
+    // For the tau of white lights without dimming; the second pass takes clusters half as large at most.
+    const double expected = static_cast<double>(field_.mean) * (1 - slopes) * q_.target;
+    if (expected > 0 && !(q_.reference > 0))
+      coarse_ = std::max(kCoarse, 0.5f * static_cast<float>(std::sqrt(3 * field_.rms / expected)));
     addLone();
     forEachTree([&](const Tree& tree, auto dimmed) { measure<dimmed.value>(tree); });
     out_.mean = static_cast<float>(mean_);
     out_.reference = q_.reference > 0 ? q_.reference : out_.mean;
     const double budget = static_cast<double>(std::max(0.0f, q_.target)) * out_.reference;
-    constexpr double kLargest = 0.05;  // keeps kCoarse the coarser one, and expansions where they converge
-    tau_ = budget > 0 ? static_cast<float>(std::min(kLargest, kClusterShare * budget / std::max(clusters_, 1e-30))) : 0;
-    slopeTau_ =
-        budget > 0 ? static_cast<float>(std::min(kLargest, (1 - kClusterShare) * budget / std::max(all_, 1e-30))) : 0;
-    k_ = std::max(kCoarse, std::sqrt(3 * field_.rms / tau_));
+    tau_ = tauOf((1 - slopes) * budget, clusters_);
+    slopeTau_ = tauOf(slopes * budget, all_);
+    k_ = std::max(coarse_, std::sqrt(3 * field_.rms / tau_));
     x_ = 2 * field_.rms / tau_;
     forEachTree([&](const Tree& tree, auto dimmed) { take<dimmed.value>(tree); });
-    const double bound = bound_ * kFloatSlack;
-    out_.bound = static_cast<float>(bound);
-    out_.worst = static_cast<float>(bound * (field_.peak / field_.rms));
+    finish(bound_);
   }
 
  private:
@@ -93,13 +64,6 @@ class Query {
     std::size_t node;
     float weight;
     float dark;  // least of the ancestors' shares of u
-  };
-
-  /// A cluster from the ball.
-  struct View {
-    Vec3 between;
-    float distance;  // between the centres
-    float least;     // from the ball; 0 where the centre is within
   };
 
   template <class F>
@@ -114,10 +78,8 @@ class Query {
   }
 
   template <class Place>
-  View view(const Place& place) const noexcept {
-    const Vec3 between{q_.centre.x - place.x, q_.centre.y - place.y, q_.centre.z - place.z};
-    const float distance = length(between);
-    return {between, distance, std::max(0.0f, distance - b_)};
+  View viewOf(const Place& place) const noexcept {
+    return view({place.x, place.y, place.z});
   }
 
   void addLone() {
@@ -125,7 +87,7 @@ class Query {
       if ((light.groups & q_.groups) == 0) continue;
       ++out_.visited;
       if (!light.shines) continue;
-      const bool distant = light.directional && q_.slopes;
+      const bool distant = light.directional && slopes_;
       (distant ? out_.distant : out_.near).push_back({light.light, 1});
       mean_ += static_cast<double>(field_.mean) * light.mean;
     }
@@ -179,26 +141,22 @@ class Query {
     return enough > 0 ? smoothstep((least / enough - 1) / kBand) : 1;
   }
 
-  float slopeDistance(float distance, float reach) const noexcept {
-    return std::max({distance, kSlopeReach * (reach + b_), 1e-15f});
-  }
-
   template <bool Dimmed>
   void measure(const Tree& tree) {
     walk(
         tree,
         [&](std::size_t at, const TreeNode& node, Entry& entry) {
-          const View v = view(node);
+          const View v = viewOf(node);
           const DimmingRange dim = dimmed<Dimmed>(at, node, v);
           if (Dimmed && !(dim.most > 0)) return 1.0f;
           entry.dark = std::min(entry.dark, std::min(1.0f, dim.most / kDark));
-          const float closed = closedFrom(v.least, kCoarse * node.spread + node.reach);
+          const float closed = closedFrom(v.least, coarse_ * node.spread + node.reach);
           if (closed > 0) addCluster(node, v, dim, static_cast<double>(entry.weight) * closed, entry.dark);
           return closed;
         },
         [&](std::size_t slot, const Entry& entry) {
           const TreeLight& light = s_.lights[slot];
-          const View v = view(light);
+          const View v = viewOf(light);
           const DimmingRange dim = dimmed<Dimmed>(slot, light, v, b_);
           if (Dimmed && !(dim.most > 0)) return;
           const float dark = std::min(entry.dark, std::min(1.0f, dim.most / kDark));
@@ -219,19 +177,21 @@ class Query {
     all_ += grown / (far * far);
     // What a sum of 1/d^2 is at least: its second derivative is no less than -2/d^4.
     const double near = (1 - theta) * (1 - theta);
+    const double far0 = v.distance + (q_.everywhere ? b_ : 0);
     const double least = node.mean - node.power * (square / (near * near) + lopside);
-    mean_ += weight * dim.least * field_.mean * std::max(0.0, least) / (static_cast<double>(v.distance) * v.distance);
+    mean_ += weight * dim.least * field_.mean * std::max(0.0, least) / (far0 * far0);
   }
 
   template <bool Dimmed>
   double meanAtCentre(std::size_t slot, const TreeLight& light, const View& v) const noexcept {
     const bool disk = light.radius == 0;
+    const float ball = q_.everywhere ? b_ : 0;
     // Emitters of a disk may be its radius closer; within a spot's sphere its cosine is not the direction's.
-    const float loose = disk || v.distance < light.radius ? 0 : -light.reach;
+    const float loose = disk || v.distance < light.radius ? ball : ball - light.reach;
     const float least = dimmed<Dimmed>(slot, light, v, loose).least;
     if (!(least > 0)) return 0;
-    if (!disk) return static_cast<double>(least) * light.mean * meanOf(v.distance, light.radius);
-    const double far = v.distance + light.reach;
+    if (!disk) return static_cast<double>(least) * light.mean * meanOf(v.distance + ball, light.radius);
+    const double far = v.distance + light.reach + ball;
     return static_cast<double>(least) * light.mean / (far * far);
   }
 
@@ -246,7 +206,7 @@ class Query {
   float takeCluster(std::size_t at, const TreeNode& node, Entry& entry) {
     const float enough = k_ * node.spread + x_ * node.lopside + node.reach;
     if (!Dimmed && !isBeyond(node, enough + b_)) return 0;
-    const View v = view(node);
+    const View v = viewOf(node);
     const DimmingRange dim = dimmed<Dimmed>(at, node, v);
     if (Dimmed && !(dim.most > 0)) return 1;
     entry.dark = std::min(entry.dark, std::min(1.0f, dim.most / kDark));
@@ -264,7 +224,7 @@ class Query {
     const float weight = entry.weight * closed;
     const double power = static_cast<double>(weight) * node.power;
     float near = 1;
-    if (q_.slopes) {
+    if (slopes_) {
       const float sloped = errorOf(node, level, swing, v.distance, square + b_ * (b_ + 2 * node.lopside), b_);
       near = nearShare(sloped, (tau_ + slopeTau_) * entry.dark, v.distance, node.reach);
       if (near < 1) bound_ += (1 - near) * sloped * power / (static_cast<double>(v.distance) * v.distance);
@@ -292,49 +252,28 @@ class Query {
     return field_.rms * (level * expansion + swing / ((1 - theta) * (1 - theta)));
   }
 
-  /// Share that goes to every sample, because slopes do not follow it there.
-  float nearShare(float error, float limit, float distance, float reach) const noexcept {
-    if (!q_.slopes) return 1;
-    if (!(limit > 0)) return 1;
-    const float wrong = smoothstep((error / limit - 0.8f) / 0.2f);
-    const float enough = kSlopeReach * (reach + b_);
-    const float close = enough > 0 ? 1 - smoothstep((distance / enough - 1) / kSlopeBand) : 0;
-    return std::max(wrong, close);
-  }
-
   template <bool Dimmed>
   void takeLight(std::size_t slot, const Entry& entry) {
     const TreeLight& light = s_.lights[slot];
-    const View v = view(light);
+    const View v = viewOf(light);
     const DimmingRange dim = dimmed<Dimmed>(slot, light, v, b_);
     if (Dimmed && !(dim.most > 0)) return;
-    float near = 1, error = 0;
-    if (q_.slopes && v.distance > kSlopeReach * (light.reach + b_) && !(dim.least < 1)) {
-      const float inverse = 1 / v.distance;
-      const float theta = (light.reach + b_) * inverse;
-      error = field_.rms * b_ * b_ * inverse * inverse * growthOf(theta);
+    float near = 1;
+    if (slopes_ && !(dim.least < 1) && allowsSlopes(v.distance, light.reach)) {
+      const float error = slopeError(v.distance, light.reach);
       near = nearShare(error, slopeTau_, v.distance, light.reach);
-      bound_ += static_cast<double>(entry.weight) * (1 - near) * error * light.power * inverse * inverse;
+      bound_ += static_cast<double>(entry.weight) * (1 - near) * error * light.power /
+                (static_cast<double>(v.distance) * v.distance);
     }
     push(light.light, entry.weight, near);
   }
 
-  void push(std::uint32_t light, float share, float near) {
-    share = std::min(share, 1.0f);
-    if (near > 0) out_.near.push_back({light, share * near});
-    if (near < 1) out_.distant.push_back({light, share * (1 - near)});
-  }
-
-  const LightTreeState& s_;
-  const LightQuery& q_;
-  LightSelection& out_;
-  Field field_;
-  float b_;
   double clusters_ = 0;  // U
   double all_ = 0;       // the same of everything that slopes may stand for, by the distance of the centres
   double mean_ = 0;
   double bound_ = 0;
-  float tau_ = 0, slopeTau_ = 0, k_ = 0, x_ = 0;
+  float coarse_ = kCoarse, tau_ = 0, slopeTau_ = 0, k_ = 0, x_ = 0;
+  bool slopes_ = true;
 };
 
 }  // namespace

@@ -20,7 +20,8 @@ LightQuery randomQuery(RandomLightCloud& cloud, float size) {
   if (cloud.chance(0.1)) query.radius = 0;
   if (cloud.chance(0.05)) query.centre = {};
   query.target = static_cast<float>(cloud.logUniform(0.002, 1));
-  query.slopes = cloud.chance(0.7);
+  query.slopeShare = cloud.chance(0.7) ? static_cast<float>(cloud.uniform(0, 1)) : 0;
+  query.everywhere = cloud.chance(0.3);
   const float wraps[] = {0, 0, 0.5f, 1, -0.25f};
   query.wrap = wraps[cloud.below(5)];
   return query;

@@ -1,4 +1,5 @@
 // A frame allocates nothing once everything has its size: counted by replacing the global allocator.
+#include <rigel/light_tree.h>
 #include <rigel/near_far.h>
 #include <rigel/object_lighting.h>
 
@@ -123,6 +124,44 @@ TEST(RigAllocation, NearAndFarLightsAllocateNothing) {
     if (frame > 0) counted += allocations - before;
   }
   EXPECT_EQ(counted, 0);
+}
+
+TEST(RigAllocation, TheLightTreeAllocatesNothingOnceItHasItsSize) {
+  LightTree tree;
+  LightSet lights;
+  LightSelection region, object;
+  std::vector<std::uint32_t> moved;
+  long counted = 0;
+  for (int frame = 0; frame < 60; ++frame) {
+    const auto t = static_cast<float>(frame % 20);
+    lights.clear();
+    for (int i = 0; i < 2000; ++i) {
+      const auto x = static_cast<float>(i % 50), z = static_cast<float>(i / 50);
+      const Vec3 p{10 * x + t * std::sin(x), 5, 10 * z + t * std::cos(z)};
+      if (i % 5 == 0)
+        lights.add(SpotLight{p, {0, -1, 0.01f * t}, {9, 8, 7}}, 1u << (i % 3));
+      else
+        lights.add(PointLight{p, {9, 8, 7}}, 1u << (i % 2));
+    }
+    moved.clear();
+    for (std::uint32_t i = 0; i < 2000; i += static_cast<std::uint32_t>(1 + frame % 4)) moved.push_back(i);
+    const long before = allocations;
+    if (frame % 3 == 0)
+      tree.build(lights);
+    else if (frame % 3 == 1)
+      tree.update(lights);
+    else
+      ASSERT_TRUE(tree.refit(lights, moved));
+    for (int i = 0; i < 20; ++i) {
+      const Vec3 p{20 * static_cast<float>(i), 1, 3 * t};
+      tree.select({.centre = p, .radius = 20, .target = 0.1f, .everywhere = true}, region);
+      tree.narrow(region, {.centre = p, .radius = 1, .target = 0.02f}, object);
+    }
+    // The first round shows every frame that there is.
+    if (frame >= 20) counted += allocations - before;
+  }
+  EXPECT_EQ(counted, 0);
+  EXPECT_FALSE(region.near.empty() || region.distant.empty() || object.near.empty());
 }
 
 TEST(RigAllocation, ObjectLightingAllocatesNothingAfterItsFirstFrame) {

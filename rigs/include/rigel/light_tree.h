@@ -1,9 +1,9 @@
 // Many lights: which of them an object sees one by one, and which as clusters, within an error that is known.
 //
-// A balanced binary tree over the lights. A cluster stands for the lights below one node: a sphere light of their summed
-// colour and mean radius at the centre of their power. Its error against the lights themselves is of second order (the first
-// order vanishes at that centre, up to what colours differ), and bounded anywhere in the object's ball, over all
-// normals, by the second moment of the lights' positions and their least distance:
+// A balanced binary tree over the lights. A cluster stands for the lights below one node: a sphere light of their
+// summed colour and mean radius at the centre of their power. Its error against the lights themselves is of second
+// order (the first order vanishes at that centre, up to what colours differ), and bounded anywhere in the object's
+// ball, over all normals, by the second moment of the lights' positions and their least distance:
 //
 //   RMS over normals <= N ( 2 D / d^3 + S G(a/d) / d^4 ),   G(t) = (3 - 2t)/(1-t)^2
 //
@@ -26,15 +26,16 @@ namespace detail {
 struct LightTreeState;
 }
 
-/// One object, and how exact it is to be.
+/// One object, or several that are close together, and how exact the light is to be.
 struct LightQuery {
   Vec3 centre;                             // of a ball that holds every point to be lit ...
   float radius = 0;                        // [m] ... and its radius
   float target = 0.01f;                    // error that clusters and slopes may add, a share of the reference
-  float reference = 0;                     // [W/m2]; 0: the object's own, LightSelection::mean
-  float wrap = 0;                          // of the object's materials
-  bool slopes = true;                      // false: `distant` stays empty
+  float reference = 0;                     // [W/m2]; 0: the ball's own, LightSelection::mean
+  float wrap = 0;                          // of the materials
   std::uint32_t groups = kAllLightGroups;  // lights that share no bit with it are left out
+  float slopeShare = 0.25f;                // of the target, for slopes; 0: `distant` stays empty
+  bool everywhere = false;                 // the mean is the least in the ball, not that at its centre
 };
 
 /// What lights an object, as PreparedLights counts: clusters from LightSet::size() on. Shares are within [0, 1]; a
@@ -46,7 +47,7 @@ struct LightSelection {
   /// channels, at most target x reference; and largest over normals (RMS over channels).
   float bound = 0, worst = 0;
   float reference = 0;  // [W/m2] in use
-  float mean = 0;       // [W/m2] over normals and channels, at the ball's centre: from below, within the target's order
+  float mean = 0;       // [W/m2] over normals and channels, at the ball's centre (or anywhere in it): from below
   int visited = 0;      // nodes and lights looked at
 };
 
@@ -85,6 +86,12 @@ class LightTree {
   /// general. The same bits on every thread. Continuous in positions, colours, cones and the query, but for a light
   /// that is switched on.
   void select(const LightQuery& query, LightSelection& out) const;
+
+  /// For a crowd. `region`: what was selected for a ball that holds many objects (`everywhere` set). Splits its near
+  /// lights for one of them into those for every sample and those for slopes at its own centre, within query.target;
+  /// region.distant remains what it is, to be added by value and slope at the region's centre. `out.bound` is that of
+  /// all three. Linear in region.near, which is as long in a large city as in a small one.
+  void narrow(const LightSelection& region, const LightQuery& query, LightSelection& out) const;
 
  private:
   std::unique_ptr<detail::LightTreeState> state_;
