@@ -222,6 +222,21 @@ TEST(TwinCheck, AllowsTwiceTheTwinsErrorAndNoMore) {
   EXPECT_NONFATAL_FAILURE(nan.expectWithinTwice(), "shader: nan");
 }
 
+TEST(TwinFamilies, ALargeErrorOfTheTwinHidesNoShaderInAnotherFamily) {
+  TwinFamilies families("function");
+  families["hard"].add(1.001f, 1.1f, 1, 1, "x = 1");
+  families["easy"].add(1.00001f, 1.00001f, 1, 1, "x = 2");
+  families.expectWithinTwice();
+  EXPECT_NEAR(families.gpuError(), 1e-3, 1e-6);
+  families["easy"].add(1.001f, 1.00001f, 1, 1, "x = 3");
+  EXPECT_NONFATAL_FAILURE(families.expectWithinTwice(), "function, easy\n  shader: 1.00100005");
+  families["easy"].add(1, 1.01f, 1, 1, "x = 4");
+  families["never"];
+  EXPECT_NONFATAL_FAILURE(families.expectWithinTwice(), "function, never: nothing was compared");
+  const TwinFamilies empty("empty");
+  EXPECT_NONFATAL_FAILURE(empty.expectWithinTwice(), "nothing was compared");
+}
+
 TEST(TwinCheck, MeasuresErrorsRelativeToTheTerms) {
   const double infinity = std::numeric_limits<double>::infinity();
   EXPECT_DOUBLE_EQ(TwinCheck::relativeError(1.5f, 1, 4), 0.125);
