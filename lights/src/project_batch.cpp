@@ -37,18 +37,27 @@ struct Rows {
   int count = 0;
   SeenLanes seen[kLightBlock];
   Lane basis[kLightBlock][B * B];
-  Rgb colour[kLightBlock];
-  const float* shares[kLightBlock];  // of points and spots; all spheres are there
+  const Rgb* colour = nullptr;
+
+  // Of points and spots; all spheres are there.
+  Rgb colours[kLightBlock];
+  const float* shares[kLightBlock];
 
   // What takes more than one look.
   struct Unsure {
     const PreparedLight* light;
     int row;
-    Sight sight;
+    Lane isServed, isSmall, s2;
   };
   int unsureCount = 0;
   Unsure unsure[kLightBlock];
 };
+
+template <int B>
+HWY_INLINE typename Rows<B>::Unsure unsureOf(const PreparedLight& light, int row, const Sight& sight) {
+  const LaneMask served = sight.served && sight.s2 >= Lane(0.0f);  // no NaN
+  return {&light, row, oneWhere(served), oneWhere(sight.small), sight.s2};
+}
 
 /// The way to the next light is begun before that to the one at hand is finished: the chain from a position to what is
 /// seen is longer than a core looks ahead.
@@ -62,10 +71,14 @@ HWY_NOINLINE void seeBlock(const LightBlock& block, const PointLanes& points, Ro
     const PreparedLight& light = *block.light[i];
     const Sight sight = see<B, Kind, WithFootprint>(light, points, apart, rows.seen[count]);
     if (Kind != PreparedKind::sphere && sight.dark) continue;
-    if (HWY_UNLIKELY(!all(sight.served && sight.small))) rows.unsure[unsureCount++] = {&light, count, sight};
-    if (Kind != PreparedKind::sphere) rows.shares[count] = block.shares[i];
-    rows.colour[count++] = block.colour[i];
+    if (HWY_UNLIKELY(!all(sight.served && sight.small))) rows.unsure[unsureCount++] = unsureOf<B>(light, count, sight);
+    if constexpr (Kind != PreparedKind::sphere) {
+      rows.shares[count] = block.shares[i];
+      rows.colours[count] = block.colour[i];
+    }
+    ++count;
   }
+  rows.colour = Kind == PreparedKind::sphere ? block.colour.data() : rows.colours;
   rows.count = count;
   rows.unsureCount = unsureCount;
 }
@@ -73,9 +86,9 @@ HWY_NOINLINE void seeBlock(const LightBlock& block, const PointLanes& points, Ro
 template <int B>
 HWY_NOINLINE void seeUnsure(const PointLanes& points, Rows<B>& rows) {
   for (int i = 0; i < rows.unsureCount; ++i) {
-    const auto& [light, row, sight] = rows.unsure[i];
-    seeLarge(sight.small, rows.seen[row]);
-    if (!all(sight.served)) seeWithCare(*light, points, sight.served, rows.seen[row]);
+    const auto& unsure = rows.unsure[i];
+    seeLarge(unsure.s2, unsure.isSmall, rows.seen[unsure.row]);
+    if (!all(unsure.isServed > Lane(0.0f))) seeWithCare(*unsure.light, points, unsure.isServed, rows.seen[unsure.row]);
   }
 }
 
