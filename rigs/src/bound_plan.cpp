@@ -94,6 +94,9 @@ BoundPlan boundPlan(const Rig& rig, float radius, detail::SamplePlan& samples) n
   };
   plan.constant = all(AxisModel::Kind::constant);
   if (plan.constant || all(AxisModel::Kind::gradient)) plan.kind = BoundPlan::Kind::ball;
+  // Secants along the axes reach no corner.
+  if (plan.numeric && plan.kind == BoundPlan::Kind::ball)
+    plan.nodeRadius = std::max({plan.axis[0].node, plan.axis[1].node, plan.axis[2].node});
   return plan;
 }
 

@@ -9,6 +9,7 @@
 
 #include "disk_field.h"
 #include "interpolation_bound.h"
+#include "probed_error.h"
 #include "sample_bound.h"
 #include "value_range.h"
 
@@ -158,18 +159,27 @@ class DiskBound {
   /// What secants in several directions add to the error of slopes.
   double secantError() const noexcept {
     if (!plan_.numeric || plan_.gradients < 2) return 0;
-    const DiskField::Means mean = means(nodes_.front[0]);
+    const bool ball = nodes_.front[1].distance > nodes_.front[0].distance;
+    const Front& front = nodes_.front[ball ? 1 : 0];
+    const DiskField::Means mean = means(front);
     if (!(mean.fourth < kInfinite)) return kInfinite;
-    const double nearest = nodes_.front[0].distance - field_.radius() * sineTo(nodes_.front[0]);
+    const double nearest = front.distance - field_.radius() * sineTo(front);
     const double second = field_.area() * field_.curvature(served_.cosine) * mean.fourth;
-    const double third = field_.area() * field_.third(served_.cosine) * mean.fourth / nearest;
-    double sum = 0, jump = 0;
-    for (int a = 0; a < 3; ++a) {
-      const BoundPlan::Axis& axis = plan_.axis[a];
-      sum += axis.gradient * std::min(axis.node * axis.node / 6 * third, axis.node / 2 * second);
-      jump += axis.gradient * std::abs(axis_[a]);
-    }
-    return sum + creaseError(jump, mean);
+    // Of emitters, whose lobes may be turned anywhere.
+    constexpr ThirdDerivatives kEmitter{270, 24.0 * 24};
+    const double third = field_.peakOfEmitter() * norm(kEmitter, plan_.gradients, place_.nodes);
+    double jump = 0;
+    for (int a = 0; a < 3; ++a) jump += plan_.axis[a].gradient * std::abs(axis_[a]);
+    return secantReach(plan_, field_.area() * third * mean.fourth / nearest, second) + creaseError(jump, mean);
+  }
+
+  /// In the rig frame.
+  DiskLight disk() const noexcept {
+    const auto inFloat = [](const Triple& v) {
+      return Vec3{static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
+    };
+    return {
+        inFloat(place_.position), inFloat(axis_), static_cast<float>(field_.radius()), {1, 1, 1}, field_.twoSided()};
   }
 
   double sampleError() noexcept {
@@ -184,15 +194,27 @@ class DiskBound {
     const double span = difference(light(field_.vector(served_)), blended(light(boxVector), plan_.lebesgue));
     const double cap =
         std::min(span + plan_.offset * peak + enlarged, field_.perVector() * field_.vector(served_) + bound.cap);
-    double error = field_.lobeStrength(served_.cosine) * bound.smooth + enlarged;
+    const double strength = field_.lobeStrength(served_.cosine);
+    double error = strength * bound.smooth + enlarged;
+    double crease = 0;
     if (straddles()) {
       const double sag = -served_.low * served_.high / (served_.high - served_.low) / 2;
       const double cube = means(served_.front[0]).cube;
       if (!(cube < kInfinite)) return cap;
-      error += (1 + plan_.lebesgue) * sag * field_.kink() * cube;
+      crease = (1 + plan_.lebesgue) * sag * field_.kink() * cube;
     }
     if (!plan_.polynomial) error += (1 + plan_.lebesgue) * corners;
-    return std::min(error, cap);
+    const double known = std::min(error + crease, cap);
+    // A face may pass through samples, which take it to be as large as their footprints.
+    constexpr double kLeap = 0.25;
+    const double reach = std::max<double>(field_.radius(), samples_.footprint);
+    const double gap = served_.gap - (reach - field_.radius());
+    const double apart = std::max({0.0, gap, bound.near - reach});
+    const LightNearby nearby{field_.perVector() * field_.vector(served_), apart,
+                             std::max(0.0, 1 - apart / (kLeap * reach))};
+    const double seen =
+        probedBound(plan_, samples_, strength * bound.tail, probed(samples_, wrap_, disk()), nearby, known);
+    return std::min(seen + crease, known);
   }
 
   // What a disk loses by being as large as a footprint f, per its peak and (f / distance)^2.

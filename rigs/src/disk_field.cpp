@@ -116,11 +116,6 @@ double DiskField::curvature(Interval cosine, double along, double square) const 
 
 double DiskField::lobeStrength(Interval cosine) const noexcept { return largestSum(1, 0.8, cosine); }
 
-double DiskField::third(Interval cosine) const noexcept {
-  // Leibniz, with derivatives of the cosine up to s, c + s, 6 and of the point light up to 2, 6, 24 times its peak.
-  return peak_ * (6 + largestSum(30, 24, cosine));
-}
-
 double DiskField::rimSlope(const DiskAspect& view) const noexcept {
   const double gap = std::max({0.0, view.off - radius_, radius_ - view.offMost});
   const double low = std::max(0.0, view.low);

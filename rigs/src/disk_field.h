@@ -27,6 +27,7 @@ class DiskField {
   DiskField(const WrapField& wrap, double radius, bool twoSided) noexcept;
 
   double radius() const noexcept { return radius_; }
+  bool twoSided() const noexcept { return twoSided_; }
   double area() const noexcept { return kPi * radius_ * radius_; }
 
   /// Largest V over the region, or more; falls to 0 behind the disk.
@@ -51,7 +52,8 @@ class DiskField {
   double curvature(Interval cosine) const noexcept { return curvatureAlong(cosine, 1); }
   /// Of the second derivative's form in a vector of square `square`, of which `along` is towards the emitter.
   double curvature(Interval cosine, double along, double square) const noexcept;
-  double third(Interval cosine) const noexcept;
+  /// Largest irradiance of one emitter of unit power at unit distance.
+  double peakOfEmitter() const noexcept { return peak_; }
   /// How much stronger high derivatives are than those of a point without lobe.
   double lobeStrength(Interval cosine) const noexcept;
 

@@ -73,15 +73,35 @@ double secantError(const BoundPlan& plan, const Region& nodes, const LightField&
   if (!plan.numeric || plan.gradients < 2) return 0;
   const double g = nodes.near;
   if (!(g > field.radius())) return std::numeric_limits<double>::infinity();
-  // The slopes are off by h^2/6 times the third derivative, and by h/2 times the second. 1/c^5: how the third grows
-  // towards a sphere, from 24 E/g^3 of a small light.
+  // 1/c^5: how the third grows towards a sphere, from that of a small light.
   const double c = std::sqrt((g - field.radius()) * (g + field.radius())) / g;
-  const double third = 24 * field.peak(g) / (g * g * g * c * c * c * c * c);
-  const double second = field.slopes(g).second;
-  double sum = 0;
-  for (const BoundPlan::Axis& axis : plan.axis)
-    if (axis.gradient > 0) sum += axis.gradient * std::min(axis.node * axis.node / 6 * third, axis.node / 2 * second);
-  return sum;
+  constexpr ThirdDerivatives kSmall{120, 24.0 * 24};
+  const double third = norm(kSmall, plan.gradients, nodes) * field.peak(g) / (g * g * g * c * c * c * c * c);
+  return secantReach(plan, third, field.slopes(g).second);
+}
+
+double norm(const ThirdDerivatives& squares, int axes, const Region& nodes) noexcept {
+  // Along each axis where it is steepest: squares of cosines that sum to 1 at the centre, and to more nearer by.
+  const double ratio = nodes.centre / nodes.near;
+  const double along = std::min<double>(axes, ratio * ratio);
+  return std::sqrt(axes * squares.across + (squares.along - squares.across) * along);
+}
+
+double secantReach(const BoundPlan& plan, double third, double second) noexcept {
+  // Slopes along an axis are off by h^2/6 times the third derivative, and by h/2 times the second.
+  double square = 0, sum = 0, longest = 0;
+  for (const BoundPlan::Axis& axis : plan.axis) {
+    if (!(axis.gradient > 0)) continue;
+    const double cube = axis.gradient * axis.node * axis.node;
+    square += cube * cube;
+    sum += axis.gradient * axis.node;
+    longest = std::max(longest, axis.node);
+  }
+  const double box = std::min(std::sqrt(square) * third / 6, sum * second / 2);
+  if (plan.kind != BoundPlan::Kind::ball) return box;
+  // Over a ball all components of the way from its centre cannot be largest at once.
+  const double ball = plan.radius * longest * std::min(longest * third / 6, std::sqrt(plan.gradients) * second / 2);
+  return std::min(box, ball);
 }
 
 SlopeReach slopeReach(const BoundPlan& plan) noexcept {

@@ -24,6 +24,17 @@ double ballError(const detail::BoundPlan& plan, const Region& served, const Ligh
 /// What secants (@numeric) in several directions add to the error of slopes.
 double secantError(const detail::BoundPlan& plan, const Region& nodes, const LightField& field) noexcept;
 
+/// Squares of the largest third derivatives of one emitter across the direction towards it and along it, over all
+/// normals, per (peak / distance^3)^2; in between their weights are the squares of sine and cosine.
+struct ThirdDerivatives {
+  double across, along;
+};
+/// Square root of the sum of the squares of those along `axes` axes, each where it is largest in `nodes`.
+double norm(const ThirdDerivatives& squares, int axes, const Region& nodes) noexcept;
+
+/// How much secants are off by, times how far their slopes reach, from that norm, in full, and the second derivative.
+double secantReach(const detail::BoundPlan& plan, double third, double second) noexcept;
+
 /// How far slopes reach from their samples, over the axes that have them.
 struct SlopeReach {
   double halves = 0;    // sum over the axes, in half extents of the box

@@ -77,7 +77,7 @@ LightPlace placeOf(const detail::BoundPlan& plan, const RigFrame& frame, Vec3 po
   place.position = inRigFrame(frame, offset);
   for (int a = 0; a < 3; ++a) towards[a] = plan.centre[a] - place.position[a];
   place.served = regionOf(towards, half, plan.radius, kPositionRounding * size);
-  place.nodes = regionOf(towards, node, std::numeric_limits<double>::infinity(), kPositionRounding * size);
+  place.nodes = regionOf(towards, node, plan.nodeRadius, kPositionRounding * size);
   place.valid = std::isfinite(place.served.centre);
   return place;
 }
