@@ -22,11 +22,12 @@ Rgb scaled(Rgb colour, double scale) noexcept {
   return {rounded(colour.r * scale), rounded(colour.g * scale), rounded(colour.b * scale)};
 }
 
-/// `unit`: e at distance 1, per 1/d^2.
+/// `unit`: e at distance 1; e and e/d are to stay within what their product with the colour allows.
 void setNearest(PreparedLight& light, double unit) noexcept {
   const double r2 = static_cast<double>(light.radius) * light.radius;
   const double held = unit / detail::largestFlux(light.colour);
-  const double nearest = std::max({detail::kCloseSquare * r2, held, detail::kMinPreparedSquare});
+  const double nearest =
+      std::max({detail::kCloseSquare * r2, held, std::cbrt(held * held), detail::kMinPreparedSquare});
   light.nearestSquare = nearest < kLargest ? static_cast<float>(nearest) : std::numeric_limits<float>::infinity();
 }
 

@@ -19,6 +19,7 @@
 #include "disk_batch_kernels.h"
 #include "project_lanes.h"
 #include "sum_lanes.h"
+#include "tile_lanes.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rigel::HWY_NAMESPACE {
@@ -69,7 +70,7 @@ HWY_NOINLINE void seeBlock(const LightBlock& block, const PointLanes& points, Ro
     const ApartLanes apart = next;
     next = apartFrom(*block.light[i + 1], points);
     const PreparedLight& light = *block.light[i];
-    const Sight sight = see<B, Kind, WithFootprint>(light, points, apart, rows.seen[count]);
+    const Sight sight = see<B, Kind, WithFootprint>(light, points, apart, rows.seen[count], nullptr);
     if (Kind != PreparedKind::sphere && sight.dark) continue;
     if (HWY_UNLIKELY(!all(sight.served && sight.small))) rows.unsure[unsureCount++] = unsureOf<B>(light, count, sight);
     if constexpr (Kind != PreparedKind::sphere) {
@@ -132,42 +133,6 @@ template <int B>
 HWY_NOINLINE void addRows(const Rows<B>& rows, Lane* sums) {
   addGroups<B * B>(rows.basis, rows.colour, rows.count, sums);
 }
-
-/// The points of a tile, the last of them repeated to full vectors.
-struct Tile {
-  alignas(64) float x[kTileVectors * Lane::kCount], y[kTileVectors * Lane::kCount], z[kTileVectors * Lane::kCount],
-      footprint[kTileVectors * Lane::kCount];
-  std::size_t first = 0, count = 0;
-  int vectors = 0;
-
-  Tile(const Vec3Rows& points, std::span<const float> footprints, std::size_t begin) : first(begin) {
-    count = std::min(points.size() - first, kTileVectors * Lane::kCount);
-    vectors = static_cast<int>((count + Lane::kCount - 1) / Lane::kCount);
-    fill(points.x.data() + first, x);
-    fill(points.y.data() + first, y);
-    fill(points.z.data() + first, z);
-    if (footprints.empty())
-      std::ranges::fill(footprint, 0.0f);
-    else
-      fill(footprints.data() + first, footprint);
-  }
-  PointLanes points(int v) const {
-    const std::size_t at = static_cast<std::size_t>(v) * Lane::kCount;
-    return {Lane::load(x + at), Lane::load(y + at), Lane::load(z + at), Lane::load(footprint + at)};
-  }
-  Vec3Rows rows() const { return {{x, padded()}, {y, padded()}, {z, padded()}}; }
-  /// Where the shares of a vector begin in a row.
-  std::size_t shareAt(int v, std::size_t period) const {
-    return (first + static_cast<std::size_t>(v) * Lane::kCount) % period;
-  }
-  std::size_t padded() const { return static_cast<std::size_t>(vectors) * Lane::kCount; }
-
- private:
-  void fill(const float* from, float* to) const {
-    std::copy_n(from, count, to);
-    std::fill_n(to + count, padded() - count, from[count - 1]);
-  }
-};
 
 template <int B>
 constexpr int kRows = 3 * B* B;
@@ -291,18 +256,6 @@ HWY_NOINLINE void finish(const RadianceSH<B>& everywhere, int vectors, Lane* sum
 }
 
 template <int B>
-HWY_NOINLINE void storeRows(const Lane* sums, std::size_t count, float* out, std::size_t stride) {
-  const std::size_t whole = count / Lane::kCount, rest = count % Lane::kCount;
-  for (int row = 0; row < kRows<B>; ++row, out += stride) {
-    for (std::size_t v = 0; v < whole; ++v) sums[v * kRows<B> + row].store(out + v * Lane::kCount);
-    if (rest == 0) continue;
-    float last[Lane::kCount];
-    sums[whole * kRows<B> + row].store(last);
-    std::copy_n(last, rest, out + whole * Lane::kCount);
-  }
-}
-
-template <int B>
 void projectPoints(const PreparedLights& lights, std::span<const LightUse> uses, const Vec3Rows& points,
                    std::span<const float> footprints, const PointShares& shares, float* out) {
   RadianceSH<B> everywhere;
@@ -318,7 +271,7 @@ void projectPoints(const PreparedLights& lights, std::span<const LightUse> uses,
     finish<B>(everywhere, tile.vectors, sums);
     if (lights.anyDisk()) addDisks<B>(lights, uses, shares, tile, sums);
     if (lights.anyDirectional()) addSharedDirectional<B>(lights, uses, shares, tile, sums);
-    storeRows<B>(sums, tile.count, out + at, points.size());
+    storeRows<kRows<B>>(sums, kRows<B>, tile.count, out + at, points.size());
   }
 }
 

@@ -16,6 +16,8 @@ namespace rigel::detail {
 
 /// Rows of so many lights stay in the first-level cache between two loops.
 inline constexpr int kLightBlock = 32;
+/// The same with derivatives, whose rows are three times as long.
+inline constexpr int kSlopeBlock = 16;
 /// Vectors of points that a block of lights serves while it is at hand.
 inline constexpr int kTileVectors = 4;
 

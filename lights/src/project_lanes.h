@@ -34,6 +34,13 @@ struct Sight {
   bool dark;        // reaches none of the points
 };
 
+/// What the derivative by the point takes besides. e changes by radial w for a step towards the light because window
+/// and cone do, and by -axial axis (that of PreparedLight) because the cone does.
+struct SlopeLanes {
+  Lane inverse;  // 1 / d
+  Lane radial, axial;
+};
+
 /// clamp(1-(d/R)^4, 0, 1)^2.
 HWY_INLINE Lane rangeWindow(Lane square, float inverseRangeSquare) {
   const Lane x2 = square * Lane(inverseRangeSquare);
@@ -80,10 +87,12 @@ HWY_INLINE ApartLanes apartFrom(const detail::PreparedLight& light, const PointL
   return apart;
 }
 
-/// What a light is at points, c and band0 as if it were small.
-template <int B, detail::PreparedKind Kind, bool WithFootprint>
+/// What a light is at points, c and band0 as if it were small. `slope`: a SlopeLanes*, or nullptr where nobody asks for
+/// it.
+template <int B, detail::PreparedKind Kind, bool WithFootprint, class Slope>
 HWY_INLINE Sight see(const detail::PreparedLight& light, const PointLanes& points, const ApartLanes& apart,
-                     SeenLanes& seen) {
+                     SeenLanes& seen, Slope slope) {
+  constexpr bool kWithSlope = !std::is_same_v<Slope, std::nullptr_t>;
   constexpr bool kSphere = Kind == detail::PreparedKind::sphere;
   bool dark = false;
   // Also false for NaN. What is too far for floats makes s2 a NaN.
@@ -103,6 +112,10 @@ HWY_INLINE Sight see(const detail::PreparedLight& light, const PointLanes& point
     wy = apart.y * unit;
     wz = apart.z * unit;
   }
+  if constexpr (kWithSlope) {
+    slope->inverse = mulAdd(quick * Lane(0.5f), lack, quick);
+    slope->radial = slope->axial = Lane(0.0f);
+  }
   Lane e, s2;
   if constexpr (kSphere) {
     const Lane s = Lane(light.radius) * inverse;
@@ -112,6 +125,11 @@ HWY_INLINE Sight see(const detail::PreparedLight& light, const PointLanes& point
     e = inverseSquare;
     s2 = inverseSquare * Lane(light.radiusSquare);
     if (light.inverseRangeSquare > 0) {
+      if constexpr (kWithSlope) {
+        const Lane x2 = apart.square * Lane(light.inverseRangeSquare);
+        const Lane u = max(negMulAdd(x2, x2, Lane(1.0f)), Lane(0.0f));
+        slope->radial = Lane(8.0f) * e * u * min(x2 * x2, Lane(1.0f)) * inverse;
+      }
       e *= rangeWindow(apart.square, light.inverseRangeSquare);
       dark = all(e <= Lane(0.0f)) && all(served);
     }
@@ -120,6 +138,11 @@ HWY_INLINE Sight see(const detail::PreparedLight& light, const PointLanes& point
     const Lane z = mulAdd(Lane(light.axis.z), wz, Lane(light.coneOffset));
     const Lane t = mulAdd(Lane(light.axis.x), wx, mulAdd(Lane(light.axis.y), wy, z));
     if (!all(t >= Lane(1.0f))) {
+      if constexpr (kWithSlope) {
+        const Lane held = clamp(t, Lane(0.0f), Lane(1.0f));
+        slope->axial = Lane(6.0f) * e * inverse * held * (Lane(1.0f) - held);
+        slope->radial = mulAdd(slope->radial, smoothStep(t), slope->axial * (t - Lane(light.coneOffset)));
+      }
       e *= smoothStep(t);
       dark = all(e <= Lane(0.0f)) && all(served);
     }

@@ -39,13 +39,13 @@ HWY_INLINE void addGroup(const Lane (*numbers)[N], const Rgb* colours, int light
   for (int i = 0; i < 3 * Count; ++i) sums[3 * First + i].v = held[i].v;
 }
 
-/// All N coefficients, in groups as equal as they can be.
-template <int N, int First = 0>
+/// The first `End` of N coefficients, in groups as equal as they can be.
+template <int N, int End = N, int First = 0>
 HWY_INLINE void addGroups(const Lane (*numbers)[N], const Rgb* colours, int lights, Lane* sums) {
-  constexpr int kLeft = N - First, kGroups = (kLeft + kSumGroup - 1) / kSumGroup;
+  constexpr int kLeft = End - First, kGroups = (kLeft + kSumGroup - 1) / kSumGroup;
   constexpr int kCount = (kLeft + kGroups - 1) / kGroups;
   addGroup<N, First, kCount>(numbers, colours, lights, sums);
-  if constexpr (First + kCount < N) addGroups<N, First + kCount>(numbers, colours, lights, sums);
+  if constexpr (First + kCount < End) addGroups<N, End, First + kCount>(numbers, colours, lights, sums);
 }
 
 }  // namespace rigel::HWY_NAMESPACE

@@ -1,0 +1,328 @@
+// Value and derivative of many lights' SH at many points. As project_batch.cpp, in three loops: what weighs a light's
+// bands at a vector of points; the numbers of slope_terms.h; their sums. What the gradient makes of the sums is found
+// once a vector of points.
+#include <rigel/project_batch.h>
+
+#include <algorithm>
+#include <cassert>
+
+#include "careful_slopes.h"
+#include "disk_batch_light.h"
+#include "prepared_term.h"
+#include "project_block.h"
+#include "slope_terms.h"
+
+#define HWY_DISABLED_TARGETS RIGEL_DISABLED_TARGETS
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "project_batch_gradient.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "slope_lanes.h"
+#include "sum_lanes.h"
+#include "tile_lanes.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace rigel::HWY_NAMESPACE {
+
+namespace {
+
+using detail::kSlopeBlock;
+using detail::LightBlock;
+using detail::PreparedKind;
+using detail::PreparedLight;
+using detail::SlopeNumbers;
+
+template <int B>
+constexpr int kValues = 3 * B* B;
+template <int B>
+constexpr int kNumbers = SlopeNumbers<B>::kAll;
+
+/// A block of lights at a vector of points, without those that reach none of them.
+template <int B>
+struct SlopeRows {
+  int count = 0;
+  bool excess = false;  // X is not 0 everywhere
+  SeenLanes seen[kSlopeBlock];
+  BandWeights<B> weights[kSlopeBlock];
+  Lane numbers[kSlopeBlock][kNumbers<B>];
+  bool withExcess[kSlopeBlock];
+  Rgb colours[kSlopeBlock];
+
+  // Where a cone's slope counts: the value's numbers for `axial` in place of e, and colours times the axis, backwards.
+  int axialCount = 0;
+  SeenLanes axialSeen[kSlopeBlock];
+  Lane axialNumbers[kSlopeBlock][B * B];
+  Rgb axialColours[3][kSlopeBlock];
+};
+
+/// The lanes that float does not serve, one by one in double.
+template <int B>
+HWY_NOINLINE void weighWithCare(const PreparedLight& light, const PointLanes& points, Lane isServed, SeenLanes& seen,
+                                BandWeights<B>& weights, SeenLanes& axial) {
+  seeWithCare(light, points, isServed, seen);
+  BandWeights<B> careful;
+  weighValue<B>(seen, careful);
+  constexpr std::size_t kCount = Lane::kCount;
+  float x[kCount], y[kCount], z[kCount], served[kCount], plus[B][kCount], excess[B][kCount], e[kCount], band0[kCount];
+  points.x.store(x), points.y.store(y), points.z.store(z), isServed.store(served);
+  axial.e.store(e), axial.band0.store(band0);
+  for (int l = 0; l < B; ++l) {
+    weights.value[l] = careful.value[l];
+    weights.plus[l].store(plus[l]);
+    weights.excess[l].store(excess[l]);
+  }
+  for (std::size_t k = 0; k < kCount; ++k) {
+    if (served[k] != 0) continue;
+    const detail::CarefulSlopes<B> one = detail::carefulSlopes<B>(light, {x[k], y[k], z[k]});
+    for (int l = 0; l < B; ++l) plus[l][k] = one.plus[l], excess[l][k] = one.excess[l];
+    e[k] = one.axial, band0[k] = one.axialBand0;
+  }
+  for (int l = 0; l < B; ++l) {
+    weights.plus[l] = Lane::load(plus[l]);
+    weights.excess[l] = Lane::load(excess[l]);
+  }
+  axial = seen;
+  axial.e = Lane::load(e);
+  axial.band0 = Lane::load(band0);
+}
+
+template <int B>
+void addAxial(const PreparedLight& light, Rgb colour, const SeenLanes& axial, SlopeRows<B>& rows) {
+  const int k = rows.axialCount++;
+  rows.axialSeen[k] = axial;
+  for (int axis = 0; axis < 3; ++axis) rows.axialColours[axis][k] = colour * -light.axis[axis];
+}
+
+template <int B, PreparedKind Kind>
+HWY_NOINLINE void weighBlock(const LightBlock& block, const PointLanes& points, SlopeRows<B>& rows) {
+  int count = 0;
+  rows.axialCount = 0;
+  rows.excess = false;
+  ApartLanes next = apartFrom(*block.light[0], points);
+  for (int i = 0; i < block.count; ++i) {
+    const ApartLanes apart = next;
+    next = apartFrom(*block.light[i + 1], points);
+    const PreparedLight& light = *block.light[i];
+    SeenLanes& seen = rows.seen[count];
+    BandWeights<B>& weights = rows.weights[count];
+    SlopeLanes slope;
+    const Sight sight = see<B, Kind, false>(light, points, apart, seen, &slope);
+    if (Kind != PreparedKind::sphere && sight.dark) continue;
+    if (HWY_UNLIKELY(!all(sight.small))) seeLarge(sight.s2, oneWhere(sight.small), seen);
+    weighValue<B>(seen, weights);
+    weighPlus<B>(seen, slope, weights);
+    const bool modulated = Kind == PreparedKind::spot || (Kind == PreparedKind::point && light.inverseRangeSquare > 0);
+    if (modulated) weighModulation<B>(seen, slope, weights);
+    bool withExcess = modulated;
+    bool withAxial = Kind == PreparedKind::spot && !all(slope.axial <= Lane(0.0f));
+    if (HWY_UNLIKELY(!all(sight.served && sight.s2 >= Lane(0.0f)))) {
+      if (!modulated) std::fill_n(weights.excess, B, Lane(0.0f));
+      weights.excess[0] = Lane(0.0f);
+      SeenLanes axial = seen;
+      axial.e = slope.axial;
+      axial.band0 = quotient(slope.axial, Lane(1.0f) + seen.c);
+      const Lane isServed = oneWhere(sight.served && sight.s2 >= Lane(0.0f));
+      weighWithCare<B>(light, points, isServed, seen, weights, axial);
+      if (Kind == PreparedKind::spot) addAxial<B>(light, block.colour[i], axial, rows);
+      withExcess = true;
+    } else if (withAxial) {
+      SeenLanes axial = seen;
+      axial.e = slope.axial;
+      axial.band0 = quotient(slope.axial, Lane(1.0f) + seen.c);
+      addAxial<B>(light, block.colour[i], axial, rows);
+    }
+    rows.withExcess[count] = withExcess;
+    rows.excess = rows.excess || withExcess;
+    rows.colours[count++] = block.colour[i];
+  }
+  rows.count = count;
+}
+
+template <int B>
+HWY_NOINLINE void numberBlock(SlopeRows<B>& rows) {
+  for (int k = 0; k < rows.count; ++k)
+    weighSlopes<B, false>(rows.seen[k], rows.weights[k], [&](int i, Lane x) HWY_ATTR { rows.numbers[k][i] = x; });
+}
+
+template <int B>
+HWY_NOINLINE void numberExcess(SlopeRows<B>& rows) {
+  for (int k = 0; k < rows.count; ++k) {
+    if (rows.withExcess[k])
+      weighSlopes<B, true>(rows.seen[k], rows.weights[k], [&](int i, Lane x) HWY_ATTR { rows.numbers[k][i] = x; });
+    else
+      std::fill(rows.numbers[k] + SlopeNumbers<B>::kExcess, rows.numbers[k] + kNumbers<B>, Lane(0.0f));
+  }
+}
+
+template <int B>
+HWY_NOINLINE void addOrdinary(const SlopeRows<B>& rows, Lane* sums) {
+  addGroups<kNumbers<B>, SlopeNumbers<B>::kExcess>(rows.numbers, rows.colours, rows.count, sums);
+}
+
+template <int B>
+HWY_NOINLINE void addExcess(const SlopeRows<B>& rows, Lane* sums) {
+  addGroups<kNumbers<B>, kNumbers<B>, SlopeNumbers<B>::kExcess>(rows.numbers, rows.colours, rows.count, sums);
+}
+
+template <int B>
+HWY_NOINLINE void addAxials(SlopeRows<B>& rows, Lane* sums) {
+  for (int k = 0; k < rows.axialCount; ++k)
+    weighBasis<B>(rows.axialSeen[k], [&](int i, Lane x) HWY_ATTR { rows.axialNumbers[k][i] = x; });
+  for (int axis = 0; axis < 3; ++axis)
+    addGroups<B * B>(rows.axialNumbers, rows.axialColours[axis], rows.axialCount, sums + axis * kValues<B>);
+}
+
+/// What is summed at a vector of points.
+template <int B>
+struct SlopeSums {
+  Lane numbers[3 * kNumbers<B>];
+  Lane axial[3 * kValues<B>];
+  bool anyExcess = false, anyAxial = false;
+};
+
+template <int B, PreparedKind Kind>
+void addBlock(LightBlock& block, const PointLanes& points, SlopeRows<B>& rows, SlopeSums<B>& sums) {
+  block.light[block.count] = block.light[block.count - 1];
+  weighBlock<B, Kind>(block, points, rows);
+  numberBlock<B>(rows);
+  addOrdinary<B>(rows, sums.numbers);
+  if (rows.excess) {
+    numberExcess<B>(rows);
+    addExcess<B>(rows, sums.numbers);
+    sums.anyExcess = true;
+  }
+  if (rows.axialCount > 0) {
+    addAxials<B>(rows, sums.axial);
+    sums.anyAxial = true;
+  }
+  block.count = 0;
+}
+
+template <int B>
+HWY_NOINLINE void sumLocalSlopes(const PreparedLights& lights, std::span<const LightUse> uses, const PointLanes& points,
+                                 SlopeSums<B>& sums) {
+  std::fill_n(sums.numbers, 3 * kNumbers<B>, Lane(0.0f));
+  std::fill_n(sums.axial, 3 * kValues<B>, Lane(0.0f));
+  sums.anyExcess = sums.anyAxial = false;
+  SlopeRows<B> rows;
+  LightBlock spheres, locals, spots;
+  for (const LightUse& use : uses) {
+    const PreparedLight& light = lights[use.light];
+    const float share = detail::heldShare(use.share);
+    const auto add = [&]<PreparedKind Kind>(LightBlock& block, std::integral_constant<PreparedKind, Kind>) {
+      block.light[block.count] = &light;
+      block.colour[block.count] = light.colour * share;
+      if (++block.count == kSlopeBlock) addBlock<B, Kind>(block, points, rows, sums);
+    };
+    if (!(share > 0)) continue;
+    if (light.kind == PreparedKind::sphere) add(spheres, std::integral_constant<PreparedKind, PreparedKind::sphere>());
+    if (light.kind == PreparedKind::point) add(locals, std::integral_constant<PreparedKind, PreparedKind::point>());
+    if (light.kind == PreparedKind::spot) add(spots, std::integral_constant<PreparedKind, PreparedKind::spot>());
+  }
+  if (spheres.count > 0) addBlock<B, PreparedKind::sphere>(spheres, points, rows, sums);
+  if (locals.count > 0) addBlock<B, PreparedKind::point>(locals, points, rows, sums);
+  if (spots.count > 0) addBlock<B, PreparedKind::spot>(spots, points, rows, sums);
+}
+
+/// From sums to the value's rows and those of its derivative by x, y and z.
+template <int B>
+HWY_NOINLINE void finishSlopes(const RadianceSH<B>& everywhere, const SlopeSums<B>& sums, Lane* out) {
+  static constexpr std::array<float, B* B> kScale = detail::shScale<B>();
+  static constexpr detail::SlopeTerms<B> kTerms = detail::slopeTerms<B>();
+  for (int i = 0; i < kValues<B>; ++i)
+    out[i] = mulAdd(sums.numbers[i], Lane(kScale[static_cast<std::size_t>(i / 3)]), Lane(everywhere.data()[i]));
+  Lane* slopes = out + kValues<B>;
+  if (sums.anyAxial) {
+    for (int i = 0; i < 3 * kValues<B>; ++i)
+      slopes[i] = sums.axial[i] * Lane(kScale[static_cast<std::size_t>(i / 3 % (B * B))]);
+  } else {
+    std::fill_n(slopes, 3 * kValues<B>, Lane(0.0f));
+  }
+  const std::size_t terms = sums.anyExcess ? kTerms.all : kTerms.ordinary;
+  for (std::size_t t = 0; t < terms; ++t) {
+    const detail::SlopeTerm& term = kTerms.term[t];
+    const Lane scale(term.scale);
+    for (int c = 0; c < 3; ++c) {
+      Lane& slope = slopes[3 * term.output + c];
+      slope = mulAdd(scale, sums.numbers[3 * term.number + c], slope);
+    }
+  }
+}
+
+/// Disks, point by point; `out` holds `count` points of `vectors` full of rows.
+template <int B>
+HWY_NOINLINE void addDiskSlopes(const PreparedLights& lights, std::span<const LightUse> uses, const Tile& tile, int v,
+                                Lane* out) {
+  for (const LightUse& use : uses) {
+    const PreparedLight& light = lights[use.light];
+    const float share = detail::heldShare(use.share);
+    if (light.kind != PreparedKind::disk || !(share > 0)) continue;
+    const DiskLight disk{light.position, light.axis, light.radius, light.colour, light.twoSided};
+    float one[4 * kValues<B>][Lane::kCount];
+    for (std::size_t k = 0; k < Lane::kCount; ++k) {
+      const std::size_t at = static_cast<std::size_t>(v) * Lane::kCount + k;
+      const ProjectionWithGradient<B> both = projectWithGradient<B>(disk, {tile.x[at], tile.y[at], tile.z[at]});
+      for (int i = 0; i < kValues<B>; ++i) {
+        one[i][k] = both.value.data()[i];
+        for (int axis = 0; axis < 3; ++axis) one[(1 + axis) * kValues<B> + i][k] = both.gradient.d[axis].data()[i];
+      }
+    }
+    for (int i = 0; i < 4 * kValues<B>; ++i) out[i] = mulAdd(Lane(share), Lane::load(one[i]), out[i]);
+  }
+}
+
+template <int B>
+void projectSlopes(const PreparedLights& lights, std::span<const LightUse> uses, const Vec3Rows& points, float* out) {
+  RadianceSH<B> everywhere;
+  if (lights.anyDirectional()) everywhere = detail::directionalSh<B>(lights, uses, {});
+  SlopeSums<B> sums;
+  Lane rows[4 * kValues<B>];
+  for (std::size_t at = 0; at < points.size(); at += detail::kTileVectors * Lane::kCount) {
+    const Tile tile(points, {}, at);
+    for (int v = 0; v < tile.vectors; ++v) {
+      sumLocalSlopes<B>(lights, uses, tile.points(v), sums);
+      finishSlopes<B>(everywhere, sums, rows);
+      if (lights.anyDisk()) addDiskSlopes<B>(lights, uses, tile, v, rows);
+      const std::size_t first = static_cast<std::size_t>(v) * Lane::kCount;
+      storeRows<4 * kValues<B>>(rows, 0, std::min(Lane::kCount, tile.count - first), out + at + first, points.size());
+    }
+  }
+}
+
+}  // namespace
+
+void projectLightSlopes(const PreparedLights& lights, std::span<const LightUse> uses, const Vec3Rows& points, int bands,
+                        float* sums) {
+  if (bands == 2) return projectSlopes<2>(lights, uses, points, sums);
+  if (bands == 3) return projectSlopes<3>(lights, uses, points, sums);
+  if (bands == 4) return projectSlopes<4>(lights, uses, points, sums);
+  return projectSlopes<5>(lights, uses, points, sums);
+}
+
+}  // namespace rigel::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace rigel {
+
+HWY_EXPORT(projectLightSlopes);
+
+template <int B>
+void projectBatchWithGradient(const PreparedLights& lights, std::span<const LightUse> uses, const Vec3Rows& points,
+                              std::span<float> sums) noexcept {
+  assert(points.y.size() == points.size() && points.z.size() == points.size());
+  assert(sums.size() == 12 * B * B * points.size());
+  HWY_DYNAMIC_DISPATCH(projectLightSlopes)(lights, uses, points, B, sums.data());
+}
+
+#define RIGEL_INSTANTIATE(B)                                                                                   \
+  template void projectBatchWithGradient<B>(const PreparedLights&, std::span<const LightUse>, const Vec3Rows&, \
+                                            std::span<float>) noexcept;
+RIGEL_INSTANTIATE(2)
+RIGEL_INSTANTIATE(3)
+RIGEL_INSTANTIATE(4)
+RIGEL_INSTANTIATE(5)
+
+}  // namespace rigel
+#endif
