@@ -2,6 +2,7 @@
 #include <rigel/half.h>
 
 #include "gpu_rig_reader.h"
+#include "half_scale.h"
 
 #include <algorithm>
 #include <array>
@@ -46,15 +47,6 @@ float largestOf(std::span<const float> values, float largest = 0) noexcept {
   return largest;
 }
 
-/// The power of two that brings `largest` times pi between 2^14 and 2^15; its inverse is a float too.
-float halfScale(float largest) noexcept {
-  constexpr int kTop = 15, kLeast = -100;
-  if (largest == 0) return 1;
-  int exponent;
-  (void)std::frexp(kPi * static_cast<double>(largest), &exponent);
-  return std::ldexp(1.0f, std::max(exponent - kTop, kLeast));
-}
-
 template <int B, class Texel>
 float scaleOf(std::span<const RadianceSH<B>> coefficients, const HighBand& highBand) noexcept {
   if constexpr (std::is_same_v<Texel, GpuVec4>) {
@@ -62,7 +54,7 @@ float scaleOf(std::span<const RadianceSH<B>> coefficients, const HighBand& highB
   } else {
     float largest = highBand.band > 0 ? largestOf(floatsOf(highBand.c)) : 0.0f;
     for (const RadianceSH<B>& c : coefficients) largest = largestOf(floatsOf(c.c), largest);
-    return halfScale(largest);
+    return halfScale(kPi * static_cast<double>(largest));
   }
 }
 

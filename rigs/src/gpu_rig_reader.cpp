@@ -17,8 +17,9 @@ static_assert(sizeof(GpuRig::terms) >= kMaxPolyTerms);
 
 int& component(ivec4& v, int i) noexcept { return i == 0 ? v.x : i == 1 ? v.y : i == 2 ? v.z : v.w; }
 
-/// World to box coordinates, in double: the centre is rounded to float, and what that loses goes into the axes' w.
-void placeBox(const RigBox& box, const RigFrame& worldFromRig, GpuRig& out) noexcept {
+}  // namespace
+
+void placeRigBox(const RigBox& box, const RigFrame& worldFromRig, GpuRig& out) noexcept {
   const std::array<Vec3, 3> columns{worldFromRig.x, worldFromRig.y, worldFromRig.z};
   std::array<double, 3> centre{};
   for (int i = 0; i < 3; ++i) {
@@ -43,11 +44,9 @@ void placeBox(const RigBox& box, const RigFrame& worldFromRig, GpuRig& out) noex
   }
 }
 
-}  // namespace
-
 GpuRig GpuRigReader::describe(const RigFrame& worldFromRig) const noexcept {
   GpuRig out{};
-  placeBox(rig_.box(), worldFromRig, out);
+  placeRigBox(rig_.box(), worldFromRig, out);
   out.nodes = {1, 1, 1};
   out.perNode = 1;
   if (rig_.spec().family == RigSpec::Family::poly) {

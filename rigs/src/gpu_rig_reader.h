@@ -5,6 +5,10 @@
 
 namespace rigel {
 
+/// World to box coordinates (centre and axes of `out`), in double: the centre is rounded to float, and what that loses
+/// goes into the axes' w.
+void placeRigBox(const RigBox& box, const RigFrame& worldFromRig, GpuRig& out) noexcept;
+
 class GpuRigReader {
  public:
   explicit GpuRigReader(const Rig& rig) noexcept : rig_(rig) {}

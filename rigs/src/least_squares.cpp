@@ -12,13 +12,9 @@ namespace {
 
 constexpr int kMaxFunctions = kMaxLsqVectors;
 constexpr int kMaxPoints = LeastSquares::kMaxPoints;
+constexpr double kRidge = LeastSquares::kRidge;
+constexpr double kLeastSquare = LeastSquares::kLeastSquare;
 static_assert(kMaxPoints >= 2 * kMaxLsqVectors);
-
-// Pull per coefficient, on a normal matrix of unit diagonal. Its relative effect on a function that the basis spans is
-// this times the squared condition number: 1e-4 for a condition of 10. It bounds the condition that can be seen at 1e3.
-constexpr double kRidge = 1e-6;
-
-constexpr double kLeastSquare = 1e-24;  // of a function's mean square below which it counts as zero
 
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, kMaxPoints, kMaxFunctions>;
 using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMaxFunctions, kMaxFunctions>;

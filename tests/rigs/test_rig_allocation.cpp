@@ -3,7 +3,7 @@
 #include <rigel/near_far.h>
 #include <rigel/object_lighting.h>
 
-#include "rig_fixture.h"
+#include "crowd_fixture.h"
 
 #include <atomic>
 #include <cstdlib>
@@ -221,6 +221,53 @@ TEST(RigAllocation, ObjectLightingAllocatesNothingAfterItsFirstFrame) {
     EXPECT_EQ(counted, 0) << spec << ", target " << static_cast<int>(options.target.kind) << ", slots "
                           << options.nearSlots;
   }
+}
+
+// Characters and lights come and go, poses and rates change: nothing grows.
+TEST(RigAllocation, ACrowdAllocatesNothingHoweverLongItRuns) {
+  const BendingBody body;
+  Stage<3> stage(2);
+  const int kinds[] = {stage.crowd.addKind(kindOf("poly:6", body.shape())),
+                       stage.crowd.addKind(kindOf("poly:4", body.rigidShape()))};
+  std::vector<CrowdId> ids;
+  for (int c = 0; c < 24; ++c) ids.push_back(stage.crowd.add(kinds[c % 2]));
+  stage.makeRoom();
+  const auto palette = BendingBody::palette(0.3f);
+  const auto light = [&](int frame) {
+    stage.lights.clear();
+    stage.ids.clear();
+    for (int i = 0; i < 12 - frame % 4; ++i) {
+      const float t = static_cast<float>((i + frame) % 12);
+      stage.lights.add(PointLight{{0.5f * t - 3, 1, 1}, {3, 4, 5}});
+      if (i % 4 == 0) stage.lights.add(DiskLight{{t, 2, 0}, {0, -1, 0}, 0.3f, {5, 4, 3}});
+    }
+    for (int i = 0; i < stage.lights.size(); ++i) stage.ids.push_back(static_cast<std::uint32_t>((i * 5 + frame) % 97));
+  };
+  const int frames = std::getenv("RIGEL_FULL") != nullptr ? 10000 : 300;
+  long counted = 0;
+  std::size_t bytes = 0;
+  for (int f = 0; f < frames; ++f) {
+    light(f);
+    const long before = allocations;
+    for (std::size_t c = 0; c < ids.size(); ++c) {
+      // In the first frame all there are.
+      if (f > 0 && (f + static_cast<int>(c)) % 50 == 0) {
+        stage.crowd.remove(ids[c]);
+        ids[c] = stage.crowd.add(kinds[c % 2]);
+      }
+      CrowdInput& input = stage.crowd.input(ids[c]);
+      input.palette = palette;
+      input.worldFromRig.origin = {0.2f * static_cast<float>(c), 0, 0.01f * static_cast<float>(f % 300)};
+      input.interval = 1 + (f / 16 + static_cast<int>(c)) % 4;
+      input.visible = f == 0 || (f + static_cast<int>(c)) % 13 != 0;
+    }
+    stage.frame(f % 100 == 99 ? 0 : 1.0f / 60);
+    if (f == 0) bytes = stage.crowd.bytes();
+    if (f > 0) counted += allocations - before;
+  }
+  EXPECT_EQ(counted, 0);
+  EXPECT_EQ(stage.crowd.bytes(), bytes);
+  EXPECT_LT(stage.crowd.bytesPerCharacter(kinds[0]), 1700u);
 }
 
 }  // namespace

@@ -1,0 +1,338 @@
+// A frame of a crowd: its blocks, their stages, and packing.
+#pragma once
+
+#include "crowd_state.h"
+#include "gpu_rig_reader.h"
+#include "half_scale.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cassert>
+#include <cmath>
+
+namespace rigel {
+
+template <int B>
+struct Crowd<B>::State {
+  using Block = crowd::Block;
+  using Character = crowd::Character;
+  using NearSlot = crowd::NearSlot;
+  using Population = crowd::Population;
+  using StageClock = crowd::StageClock;
+  using Task = crowd::Task;
+  static constexpr int kBlock = crowd::kBlock;
+  static constexpr int kWidth = 3 * shCount(B);
+  static constexpr int kPadded = 4 * gpuVectorSize(B);
+
+  explicit State(int count) : tasks(static_cast<std::size_t>(std::max(count, 1))) {}
+
+  CrowdStats frame(const CrowdLights& frameLights, float seconds, const CrowdOutput& to, ParallelFor parallel,
+                   CrowdProbe clock);
+  void runBlocks(Task& task) noexcept;
+  void update(Task& task, const Block& block) noexcept;
+  void show(Task& task, const Block& block) noexcept;
+
+  // Stages of `update`, for n characters.
+  void pose(Task& task, const Block& block, Population& population) noexcept;
+  void maskLights(Task& task, int n) noexcept;
+  void weigh(Task& task, const Block& block, Population& population) noexcept;
+  void project(Task& task, const Population& population, int n) noexcept;
+  void placeResults(Task& task, const Block& block, Population& population) noexcept;
+  void keep(Task& task, const Block& block, Population& population) noexcept;
+
+  void showBetween(Task& task, Population& population, std::size_t index) noexcept;
+  void pack(Population& population, std::size_t index, const float* coefficients, const float* place) noexcept;
+  int packNear(const Character& character, std::span<const NearSlot> slots) noexcept;
+
+  Character& at(Population& population, const Block& block, int i) noexcept {
+    return population.characters[schedule.character(block.begin + static_cast<std::uint32_t>(i))];
+  }
+
+  std::vector<Population> populations;
+  std::vector<Task> tasks;
+  crowd::FrameLights lights;
+  crowd::Schedule schedule;
+  std::uint64_t frames = 0;
+  int alive = 0;
+
+  // Of the frame.
+  CrowdOutput output;
+  CrowdProbe probe;
+  std::atomic<std::size_t> next{0};
+};
+
+// Blocks of a frame.
+
+template <int B>
+CrowdStats Crowd<B>::State::frame(const CrowdLights& frameLights, float seconds, const CrowdOutput& to,
+                                  ParallelFor parallel, CrowdProbe clock) {
+  assert(frameLights.lights != nullptr && frameLights.prepared != nullptr);
+  const bool cut = !(seconds > 0 && std::isfinite(seconds));
+  lights.set(frameLights);
+  for (Task& task : tasks)
+    for (const Population& population : populations) task.reserve(population.data(), kWidth, kPadded, lights.count());
+  CrowdStats stats = schedule.plan(populations, frames++, cut ? 0 : seconds, cut);
+  assert(to.rigs.size() >= static_cast<std::size_t>(stats.visible));
+  output = to;
+  probe = clock;
+  next.store(0, std::memory_order_relaxed);
+
+  for (Task& task : tasks) task.stats = {};
+  const ParallelFor::Task run = [](void* work, int i) {
+    auto& state = *static_cast<State*>(work);
+    state.runBlocks(state.tasks[static_cast<std::size_t>(i)]);
+  };
+  const int count = static_cast<int>(std::min(tasks.size(), schedule.blocks().size()));
+  if (parallel.run != nullptr && count > 1) {
+    parallel.run(parallel.context, count, run, this);
+  } else if (count > 0) {
+    run(this, 0);
+  }
+  for (const Task& task : tasks) {
+    stats.unusable += task.stats.unusable;
+    for (std::size_t i = 0; i < stats.ticks.size(); ++i) stats.ticks[i] += task.stats.ticks[i];
+  }
+  return stats;
+}
+
+/// Takes blocks until there are none left: any thread may do any of them.
+template <int B>
+void Crowd<B>::State::runBlocks(Task& task) noexcept {
+  const std::span<const Block> blocks = schedule.blocks();
+  for (std::size_t i = next++; i < blocks.size(); i = next++)
+    blocks[i].update ? update(task, blocks[i]) : show(task, blocks[i]);
+}
+
+// Updates.
+
+template <int B>
+void Crowd<B>::State::update(Task& task, const Block& block) noexcept {
+  Population& population = populations[block.population];
+  const CrowdKind::Data& kind = population.data();
+  const int n = static_cast<int>(block.count);
+  StageClock clock(probe, task.stats);
+  pose(task, block, population);
+  clock.done(CrowdStage::pose);
+  if (kind.skinned()) {
+    crowd::refreshOperators(n, kind.monomials(), kind.shares, task.positions.data(), task.places, task.normal.data(),
+                            task.op.data());
+    clock.done(CrowdStage::refresh);
+  }
+  weigh(task, block, population);
+  clock.done(CrowdStage::rank);
+  project(task, population, n);
+  clock.done(CrowdStage::project);
+  const float* op = kind.skinned() ? task.op.data() : kind.restOperator.data();
+  crowd::fitBlock(
+      {n, kind.samples, kind.vectors, kWidth, kPadded, op, !kind.skinned(), task.sums.data(), static_cast<float>(kPi)},
+      task.rows.data());
+  placeResults(task, block, population);
+  crowd::transposeRows(task.rows.data(), kind.vectors * kPadded, n, task.coefficientsOf);
+  clock.done(CrowdStage::fit);
+  keep(task, block, population);
+  clock.done(CrowdStage::pack);
+}
+
+template <int B>
+void Crowd<B>::State::pose(Task& task, const Block& block, Population& population) noexcept {
+  const CrowdKind::Data& kind = population.data();
+  const int n = static_cast<int>(block.count);
+  const JointMatrix* palettes[kBlock];
+  for (int c = 0; c < kBlock; ++c) {
+    // Lanes without a character do what the last one's does.
+    Character& character = at(population, block, std::min(c, n - 1));
+    const RigFrame& f = character.input.worldFromRig;
+    const Vec3 columns[4] = {f.x, f.y, f.z, f.origin};
+    for (int i = 0; i < 12; ++i) task.places.frame[i][c] = columns[i / 3][i % 3];
+    task.groups[c] = character.input.groups;
+    const std::span<const JointMatrix> palette = character.input.palette;
+    const bool complete = palette.size() >= static_cast<std::size_t>(kind.joints);
+    palettes[c] = complete ? palette.data() : kind.restPalette.data();
+    character.usable = complete;
+  }
+  const float* positions = kind.restPositions.data();
+  if (kind.skinned()) {
+    crowd::skinAnchors(kind.skin(), std::span<const JointMatrix* const, kBlock>(palettes), n, task.positions.data());
+    positions = task.positions.data();
+  }
+  for (int a = 0; a < 3; ++a) {
+    std::fill_n(task.places.lo[a], kBlock, kind.rig.box().lo[a]);
+    std::fill_n(task.places.hi[a], kBlock, kind.rig.box().hi[a]);
+  }
+  crowd::placeAnchors(n, kind.footprints, kind.shares, positions, kind.skinned(), task.places, task.x.data(),
+                      task.y.data(), task.z.data());
+  for (int c = 0; c < n; ++c) {
+    Character& character = at(population, block, c);
+    character.usable = character.usable && task.places.finite[c] == 0;
+    if (!character.usable) ++task.stats.unusable;
+  }
+}
+
+/// Near weights of the block, and what they leave to its rigs.
+template <int B>
+void Crowd<B>::State::weigh(Task& task, const Block& block, Population& population) noexcept {
+  const CrowdKindOptions& options = population.data().options;
+  const int n = static_cast<int>(block.count);
+  task.shares.clear(block.count);
+  maskLights(task, n);
+  if (options.nearSlots == 0) return;
+  float* errors = task.errors.data();
+  crowd::rankLights(lights.ranks(), {&task.places, task.groups, n, population.data().degree}, errors);
+  crowd::nthLargest(errors, lights.count(), n, options.nearSlots + 1, task.floors);
+  for (int c = 0; c < n; ++c) task.floors[c] = std::max(task.floors[c], options.tolerance);
+  crowd::findAbove(errors, lights.count(), n, task.floors, options.nearSlots, task.hits);
+  for (int c = 0; c < n; ++c) {
+    const std::size_t index = schedule.character(block.begin + static_cast<std::uint32_t>(c));
+    const Character& character = population.characters[index];
+    crowd::NearView view;
+    view.errors = errors + c;
+    view.above = {task.hits.light[c], static_cast<std::size_t>(task.hits.count[c])};
+    view.floor = task.floors[c];
+    view.ids = lights.ids();
+    view.fresh = lights.fresh();
+    view.step = options.weightRate > 0 ? std::min(options.weightRate * character.seconds, 1.0f) : 1;
+    view.cut = !character.lit;
+    view.atOnce = character.span == 1;
+    crowd::updateNear(view, population.nearOf(index));
+    for (const NearSlot& slot : population.nearOf(index))
+      if (slot.to > 0) task.shares.set(slot.light, static_cast<std::size_t>(c), 1 - slot.to);
+  }
+}
+
+/// Lights of other groups than a character's.
+template <int B>
+void Crowd<B>::State::maskLights(Task& task, int n) noexcept {
+  for (int c = 0; c < n; ++c) {
+    if (!lights.grouped() && task.groups[c] != 0) continue;
+    for (int i = 0; i < lights.count(); ++i)
+      if ((lights.ranks().groups[i] & task.groups[c]) == 0) task.shares.set(i, static_cast<std::size_t>(c), 0);
+  }
+}
+
+template <int B>
+void Crowd<B>::State::project(Task& task, const Population& population, int n) noexcept {
+  const CrowdKind::Data& kind = population.data();
+  const std::size_t count = static_cast<std::size_t>(n), points = count * static_cast<std::size_t>(kind.samples);
+  for (std::size_t s = 0; s < kind.footprints.size(); ++s)
+    std::fill_n(task.footprints.data() + s * count, count, kind.footprints[s]);
+  const Vec3Rows rows{{task.x.data(), points}, {task.y.data(), points}, {task.z.data(), points}};
+  projectBatch<B>(lights.prepared(), lights.uses(), rows, {task.footprints.data(), points},
+                  {task.sums.data(), kWidth * points}, task.shares.view(lights.uses().size()));
+}
+
+/// Where coefficients go: to the output at once, where that is all that becomes of them.
+template <int B>
+void Crowd<B>::State::placeResults(Task& task, const Block& block, Population& population) noexcept {
+  const bool direct = !output.coefficients.empty() && output.halves.empty();
+  for (int c = 0; c < static_cast<int>(block.count); ++c) {
+    const Character& character = at(population, block, c);
+    float* own = task.coefficients.data() + static_cast<std::size_t>(c) * population.floats();
+    const bool shown = direct && character.usable && character.span == 1;
+    task.coefficientsOf[c] = shown ? &output.coefficients[character.offset].x : own;
+  }
+}
+
+/// Results for characters that are not updated in every frame, and packing.
+template <int B>
+void Crowd<B>::State::keep(Task& task, const Block& block, Population& population) noexcept {
+  float* places[kBlock];
+  for (int c = 0; c < kBlock; ++c) places[c] = task.rigPlaces[c];
+  crowd::placeBoxes(static_cast<int>(block.count), task.places, task.placeRows);
+  crowd::transposeRows(task.placeRows, crowd::kPlaceRows, static_cast<int>(block.count), places);
+  const std::size_t floats = population.floats();
+  for (std::size_t c = 0; c < block.count; ++c) {
+    const std::size_t index = schedule.character(block.begin + static_cast<std::uint32_t>(c));
+    Character& character = population.characters[index];
+    const float* latest = task.coefficientsOf[c];
+    const bool goesOn = character.lit && character.kept;
+    character.seconds = 0;
+    character.lit = character.usable;
+    character.kept = character.span > 1;
+    if (character.span == 1) {
+      pack(population, index, latest, task.rigPlaces[c]);
+      continue;
+    }
+    // What was shown in every frame was not kept: it is what comes out now.
+    const auto at = [&](const float(&row)[3][kBlock]) { return Vec3{row[0][c], row[1][c], row[2][c]}; };
+    const RigBox box{at(task.places.lo), at(task.places.hi)};
+    character.from = goesOn ? character.to : box;
+    character.to = box;
+    float* to = population.toOf(index);
+    std::copy_n(goesOn ? to : latest, floats, population.fromOf(index));
+    std::copy_n(latest, floats, to);
+    showBetween(task, population, index);
+  }
+}
+
+template <int B>
+void Crowd<B>::State::show(Task& task, const Block& block) noexcept {
+  Population& population = populations[block.population];
+  StageClock clock(probe, task.stats);
+  for (std::uint32_t c = 0; c < block.count; ++c) showBetween(task, population, schedule.character(block.begin + c));
+  clock.done(CrowdStage::pack);
+}
+
+// Packing.
+
+/// A character as it is between the results that are kept.
+template <int B>
+void Crowd<B>::State::showBetween(Task& task, Population& population, std::size_t index) noexcept {
+  const Character& character = population.characters[index];
+  const float t = character.shown();
+  const auto mix = [t](Vec3 a, Vec3 b) { return a + (b - a) * t; };
+  const RigBox box{mix(character.from.lo, character.to.lo), mix(character.from.hi, character.to.hi)};
+  GpuRig place{};
+  placeRigBox(box, character.input.worldFromRig, place);
+  const float numbers[crowd::kPlaceRows] = {place.centre.x, place.centre.y, place.centre.z, 0,
+                                            place.axisX.x,  place.axisX.y,  place.axisX.z,  place.axisX.w,
+                                            place.axisY.x,  place.axisY.y,  place.axisY.z,  place.axisY.w,
+                                            place.axisZ.x,  place.axisZ.y,  place.axisZ.z,  place.axisZ.w};
+  crowd::blend(population.fromOf(index), population.toOf(index), t, population.floats(), task.shown.data());
+  pack(population, index, task.shown.data(), numbers);
+}
+
+/// `place`: as placeBoxes gives it.
+template <int B>
+void Crowd<B>::State::pack(Population& population, std::size_t index, const float* coefficients,
+                           const float* place) noexcept {
+  Character& character = population.characters[index];
+  const std::size_t floats = population.floats(), offset = character.offset;
+  GpuRig& rig = output.rigs[static_cast<std::size_t>(character.result.rig)];
+  rig = population.data().description;
+  rig.offset = static_cast<int>(offset);
+  rig.highOffset = rig.offset + static_cast<int>(floats / 4);
+  if (!character.usable) {
+    rig.vectors = 0;
+    return;
+  }
+  rig.centre = {place[0], place[1], place[2]};
+  rig.axisX = {place[4], place[5], place[6], place[7]};
+  rig.axisY = {place[8], place[9], place[10], place[11]};
+  rig.axisZ = {place[12], place[13], place[14], place[15]};
+  if (!output.coefficients.empty()) {
+    float* to = &output.coefficients[offset].x;
+    if (to != coefficients) std::copy_n(coefficients, floats, to);
+  }
+  if (!output.halves.empty()) {
+    rig.scale = halfScale(static_cast<double>(crowd::largestOf(coefficients, floats)));
+    crowd::storeHalves(coefficients, 1 / rig.scale, floats, &output.halves[offset]);
+  }
+  character.result.nearCount = packNear(character, population.nearOf(index));
+}
+
+template <int B>
+int Crowd<B>::State::packNear(const Character& character, std::span<const NearSlot> slots) noexcept {
+  int count = 0;
+  for (const NearSlot& slot : slots) {
+    if (slot.light < 0) continue;
+    const float weight = slot.from + (slot.to - slot.from) * character.shown();
+    const int light = crowd::findLight(lights.ids(), slot.id, slot.light);
+    if (light < 0 || !(weight > 0)) continue;
+    GpuNearLight& near = output.near[static_cast<std::size_t>(character.result.nearOffset + count++)];
+    near = lights.near(light);
+    near.colour = {near.colour.x * weight, near.colour.y * weight, near.colour.z * weight};
+  }
+  return count;
+}
+
+}  // namespace rigel

@@ -1,0 +1,116 @@
+#include "crowd_state.h"
+
+#include <algorithm>
+
+namespace rigel::crowd {
+namespace {
+
+constexpr std::uint32_t kShownBlock = 64;  // characters that are packed only
+
+/// The interval of a character from now on: it rises at once and falls by halves, so that what lags catches up at twice
+/// its speed and not in one frame.
+int nextInterval(const Character& c) noexcept {
+  const int wanted = std::clamp(c.input.interval, 1, kMaxCrowdInterval);
+  return c.lit ? std::max(wanted, c.interval / 2) : wanted;
+}
+
+/// Frames to the next update: those of one interval are spread over its frames.
+int framesToUpdate(std::uint64_t frame, std::size_t index, int interval) noexcept {
+  const auto n = static_cast<std::uint64_t>(interval);
+  return static_cast<int>(n - (frame + index) % n);
+}
+
+}  // namespace
+
+std::uint32_t Population::add() {
+  if (free.empty()) {
+    const std::size_t count = characters.size() + 1;
+    characters.emplace_back();
+    near.resize(count * nearSlots());
+    results.resize(2 * count * floats());
+    free.reserve(characters.capacity());
+    free.push_back(static_cast<std::uint32_t>(count - 1));
+  }
+  const std::uint32_t i = free.back();
+  free.pop_back();
+  const std::uint32_t generation = characters[i].generation;
+  characters[i] = {};
+  characters[i].generation = generation;
+  characters[i].alive = true;
+  std::ranges::fill(nearOf(i), NearSlot{});
+  return i;
+}
+
+void Population::remove(std::uint32_t i) noexcept {
+  characters[i].alive = false;
+  ++characters[i].generation;
+  free.push_back(i);
+}
+
+std::size_t Population::bytesPerCharacter() const noexcept {
+  return sizeof(Character) + nearSlots() * sizeof(NearSlot) + 2 * floats() * sizeof(float) +
+         3 * sizeof(std::uint32_t);  // free, order, shown
+}
+
+void Schedule::reserve(std::span<const Population> populations) {
+  std::size_t characters = 0, most = 0;
+  for (const Population& p : populations) {
+    characters += p.characters.capacity();
+    most = std::max(most, p.characters.capacity());
+  }
+  order_.reserve(characters);
+  shown_.reserve(most);
+  blocks_.reserve(characters / kBlock + 3 * populations.size());
+}
+
+/// Of the characters in order_ from `begin` on.
+void Schedule::addBlocks(std::uint32_t population, std::size_t begin, std::uint32_t size, bool update) {
+  const auto end = static_cast<std::uint32_t>(order_.size());
+  for (auto i = static_cast<std::uint32_t>(begin); i < end; i += size)
+    blocks_.push_back({population, i, std::min(size, end - i), update});
+}
+
+CrowdStats Schedule::plan(std::span<Population> populations, std::uint64_t frame, float seconds, bool cut) noexcept {
+  CrowdStats stats;
+  blocks_.clear();
+  order_.clear();
+  std::size_t offset = 0, near = 0;
+  for (std::size_t p = 0; p < populations.size(); ++p) {
+    Population& population = populations[p];
+    const auto vectors = population.floats() / 4;
+    const std::size_t begin = order_.size();
+    shown_.clear();
+    for (std::size_t i = 0; i < population.characters.size(); ++i) {
+      Character& c = population.characters[i];
+      if (!c.alive) continue;
+      if (!c.input.visible) {
+        c.lit = false;
+        c.result = {};
+        continue;
+      }
+      c.result = {stats.visible++, static_cast<int>(near), 0};
+      c.offset = offset;
+      offset += vectors;
+      near += population.nearSlots();
+      c.seconds += seconds;
+      if (cut || c.input.cut) c.lit = false;
+      c.input.cut = false;
+      if (c.lit && ++c.step < c.span) {
+        shown_.push_back(static_cast<std::uint32_t>(i));
+        continue;
+      }
+      c.interval = nextInterval(c);
+      c.span = framesToUpdate(frame, i, c.interval);
+      c.step = 0;
+      order_.push_back(static_cast<std::uint32_t>(i));
+    }
+    stats.updated += static_cast<int>(order_.size() - begin);
+    addBlocks(static_cast<std::uint32_t>(p), begin, kBlock, true);
+    const std::size_t rest = order_.size();
+    order_.insert(order_.end(), shown_.begin(), shown_.end());
+    addBlocks(static_cast<std::uint32_t>(p), rest, kShownBlock, false);
+  }
+  return stats;
+}
+
+}  // namespace rigel::crowd

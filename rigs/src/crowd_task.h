@@ -1,0 +1,99 @@
+// What one task of a frame has to itself: scratch memory for a block, and its part of the frame's account.
+#pragma once
+
+#include "crowd_kind.h"
+
+#include <algorithm>
+
+namespace rigel::crowd {
+
+/// Shares of a block's characters in its lights: 1 but where they are set.
+class BlockShares {
+ public:
+  void reserve(std::size_t lights) {
+    if (lights > rows_.size()) rows_.resize(lights, nullptr);
+    numbers_.reserve(lights * (kBlock + PointShares::kRowEnd));
+  }
+  void clear(std::size_t characters) noexcept {
+    if (used_ > 0) std::ranges::fill(rows_, nullptr);
+    used_ = 0;
+    period_ = characters;
+  }
+  void set(int light, std::size_t character, float share) noexcept {
+    const std::size_t length = period_ + PointShares::kRowEnd;
+    if (rows_[light] == nullptr) {
+      float* row = numbers_.data() + used_++ * length;
+      std::fill_n(row, length, 1.0f);
+      rows_[light] = row;
+    }
+    for (std::size_t i = character; i < length; i += period_) rows_[light][i] = share;
+  }
+  PointShares view(std::size_t lights) const noexcept { return {{rows_.data(), used_ > 0 ? lights : 0}, period_}; }
+  std::size_t bytes() const noexcept { return numbers_.bytes() + rows_.capacity() * sizeof(float*); }
+
+ private:
+  std::vector<float*> rows_;
+  AlignedArray<float> numbers_;
+  std::size_t used_ = 0, period_ = 1;
+};
+
+struct Task {
+  alignas(64) Places places;
+  alignas(64) float floors[kBlock];
+  alignas(64) std::uint32_t groups[kBlock];
+  alignas(64) float placeRows[kPlaceRows * kBlock];
+  alignas(64) float rigPlaces[kBlock][kPlaceRows];
+  NearHits hits;
+  float* coefficientsOf[kBlock];            // where each character's go
+  AlignedArray<float> positions;            // as skinAnchors writes them
+  AlignedArray<float> x, y, z, footprints;  // dense
+  AlignedArray<double> normal;              // refreshOperators
+  AlignedArray<float> op, errors, sums, rows, coefficients, shown;
+  BlockShares shares;
+  CrowdStats stats;
+
+  /// For blocks of a kind and that many lights; `width`: floats of an SH vector, `padded` as they are packed.
+  void reserve(const CrowdKind::Data& kind, int width, int padded, int lights) {
+    const auto s = static_cast<std::size_t>(kind.samples), k = static_cast<std::size_t>(kind.vectors);
+    const auto w = static_cast<std::size_t>(width), v = static_cast<std::size_t>(padded);
+    const auto n = static_cast<std::size_t>(lights);
+    positions.reserve(3 * s * kBlock);
+    for (AlignedArray<float>* row : {&x, &y, &z, &footprints}) row->reserve((s + 1) * kBlock);
+    normal.reserve(refreshScratch(kind.samples, kind.vectors));
+    op.reserve(k * s * kBlock);
+    errors.reserve(n * kBlock);
+    shares.reserve(n);
+    sums.reserve((w * s + 1) * kBlock);
+    rows.reserve(k * v * kBlock);
+    coefficients.reserve(k * v * kBlock);
+    shown.reserve(k * v);
+  }
+
+  std::size_t bytes() const noexcept {
+    std::size_t sum = sizeof(*this) + normal.bytes() + shares.bytes();
+    for (const AlignedArray<float>* a :
+         {&positions, &x, &y, &z, &footprints, &op, &errors, &sums, &rows, &coefficients, &shown})
+      sum += a->bytes();
+    return sum;
+  }
+};
+
+/// Times stages by a probe's clock.
+class StageClock {
+ public:
+  StageClock(CrowdProbe probe, CrowdStats& stats) noexcept : probe_(probe), stats_(stats) { last_ = now(); }
+  void done(CrowdStage stage) noexcept {
+    if (probe_.now == nullptr) return;
+    const std::uint64_t time = now();
+    stats_.ticks[static_cast<std::size_t>(stage)] += time - last_;
+    last_ = time;
+  }
+
+ private:
+  std::uint64_t now() const noexcept { return probe_.now != nullptr ? probe_.now(probe_.context) : 0; }
+  CrowdProbe probe_;
+  CrowdStats& stats_;
+  std::uint64_t last_ = 0;
+};
+
+}  // namespace rigel::crowd
