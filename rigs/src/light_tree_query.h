@@ -1,4 +1,4 @@
-// What selecting from the whole tree and narrowing a selection have in common: a ball, its field, and where slopes do.
+// A ball, its field, and where slopes do: what light_tree_select.cpp asks of one light or cluster.
 #pragma once
 
 #include <rigel/wrap.h>

@@ -87,12 +87,6 @@ class LightTree {
   /// that is switched on.
   void select(const LightQuery& query, LightSelection& out) const;
 
-  /// For a crowd. `region`: what was selected for a ball that holds many objects (`everywhere` set). Splits its near
-  /// lights for one of them into those for every sample and those for slopes at its own centre, within query.target;
-  /// region.distant remains what it is, to be added by value and slope at the region's centre. `out.bound` is that of
-  /// all three. Linear in region.near, which is as long in a large city as in a small one.
-  void narrow(const LightSelection& region, const LightQuery& query, LightSelection& out) const;
-
  private:
   std::unique_ptr<detail::LightTreeState> state_;
 };
