@@ -101,10 +101,17 @@ struct RigRun {
 
   /// `results`: irradiance a point. Points without a number count for `nowhere`, where there is one.
   void checkIrradiance(std::span<const float> results, TwinCheck& numbers, TwinCheck* nowhere = nullptr) const {
+    checkIrradiance(results, numbers, nowhere, [this](Vec3 p) { return twinSh(p); });
+  }
+
+  /// Beside another twin: an SH vector at a point.
+  template <class TwinSh>
+  void checkIrradiance(std::span<const float> results, TwinCheck& numbers, TwinCheck* nowhere,
+                       const TwinSh& twinAt) const {
     const RigReference reference(rig, frame);
     for (std::size_t i = 0; i < points.size(); ++i) {
       const RigReference::Basis phi = reference.at(points[i]);
-      const RadianceSH<B> sh = twinSh(points[i]);
+      const RadianceSH<B> sh = twinAt(points[i]);
       TwinCheck& check = isNumber(points[i]) || nowhere == nullptr ? numbers : *nowhere;
       Rgb twin;
       for (int j = 0; j < shCount(B); ++j) twin += sh[j] * basisOf(i)[j];
