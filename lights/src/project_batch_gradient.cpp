@@ -142,22 +142,56 @@ HWY_NOINLINE void weighBlock(const LightBlock& block, const PointLanes& points, 
 template <int B>
 HWY_NOINLINE void numberBlock(SlopeRows<B>& rows) {
   for (int k = 0; k < rows.count; ++k)
-    weighSlopes<B, false>(rows.seen[k], rows.weights[k], [&](int i, Lane x) HWY_ATTR { rows.numbers[k][i] = x; });
+    weighSlopes<B>(rows.seen[k], rows.weights[k], [&](int i, Lane x) HWY_ATTR { rows.numbers[k][i] = x; });
 }
 
 template <int B>
 HWY_NOINLINE void numberExcess(SlopeRows<B>& rows) {
   for (int k = 0; k < rows.count; ++k) {
+    Lane* numbers = rows.numbers[k] + SlopeNumbers<B>::kExcess;
     if (rows.withExcess[k])
-      weighSlopes<B, true>(rows.seen[k], rows.weights[k], [&](int i, Lane x) HWY_ATTR { rows.numbers[k][i] = x; });
+      weighExcess<B>(rows.seen[k], rows.weights[k], [&](int i, Lane x) HWY_ATTR { numbers[i] = x; });
     else
-      std::fill(rows.numbers[k] + SlopeNumbers<B>::kExcess, rows.numbers[k] + kNumbers<B>, Lane(0.0f));
+      std::fill_n(numbers, (B - 1) * (B - 1), Lane(0.0f));
   }
 }
 
+/// Where registers hold the sums of a part, what is weighed is added at once.
+template <int B, int Part>
+HWY_NOINLINE void addPart(const SlopeRows<B>& rows, Lane* sums) {
+  using Numbers = SlopePart<B, Part>;
+  constexpr int kSums = 3 * Numbers::kCount;
+  hn::Vec<Lane::Tag> held[kSums];
+  sums += 3 * Numbers::kFirst;
+  HWY_UNROLL(27)
+  for (int i = 0; i < kSums; ++i) held[i] = sums[i].v;
+  for (int k = 0; k < rows.count; ++k) {
+    const Rgb& colour = rows.colours[k];
+    weighPart<B, Part>(rows.seen[k], rows.weights[k], [&](int i, Lane number) HWY_ATTR {
+      held[3 * i] = hn::MulAdd(number.v, Lane(colour.r).v, held[3 * i]);
+      held[3 * i + 1] = hn::MulAdd(number.v, Lane(colour.g).v, held[3 * i + 1]);
+      held[3 * i + 2] = hn::MulAdd(number.v, Lane(colour.b).v, held[3 * i + 2]);
+    });
+  }
+  HWY_UNROLL(27)
+  for (int i = 0; i < kSums; ++i) sums[i].v = held[i];
+}
+
 template <int B>
-HWY_NOINLINE void addOrdinary(const SlopeRows<B>& rows, Lane* sums) {
+HWY_NOINLINE void addNumbered(const SlopeRows<B>& rows, Lane* sums) {
   addGroups<kNumbers<B>, SlopeNumbers<B>::kExcess>(rows.numbers, rows.colours, rows.count, sums);
+}
+
+template <int B>
+void addOrdinary(SlopeRows<B>& rows, Lane* sums) {
+  if constexpr (B <= 3 && kSumGroup >= 9) {
+    addPart<B, 0>(rows, sums);
+    addPart<B, 1>(rows, sums);
+    if constexpr (B == 3) addPart<B, 2>(rows, sums);
+  } else {
+    numberBlock<B>(rows);
+    addNumbered<B>(rows, sums);
+  }
 }
 
 template <int B>
@@ -185,7 +219,6 @@ template <int B, PreparedKind Kind>
 void addBlock(LightBlock& block, const PointLanes& points, SlopeRows<B>& rows, SlopeSums<B>& sums) {
   block.light[block.count] = block.light[block.count - 1];
   weighBlock<B, Kind>(block, points, rows);
-  numberBlock<B>(rows);
   addOrdinary<B>(rows, sums.numbers);
   if (rows.excess) {
     numberExcess<B>(rows);
@@ -193,6 +226,7 @@ void addBlock(LightBlock& block, const PointLanes& points, SlopeRows<B>& rows, S
     sums.anyExcess = true;
   }
   if (rows.axialCount > 0) {
+    if (!sums.anyAxial) std::fill_n(sums.axial, 3 * kValues<B>, Lane(0.0f));
     addAxials<B>(rows, sums.axial);
     sums.anyAxial = true;
   }
@@ -203,7 +237,6 @@ template <int B>
 HWY_NOINLINE void sumLocalSlopes(const PreparedLights& lights, std::span<const LightUse> uses, const PointLanes& points,
                                  SlopeSums<B>& sums) {
   std::fill_n(sums.numbers, 3 * kNumbers<B>, Lane(0.0f));
-  std::fill_n(sums.axial, 3 * kValues<B>, Lane(0.0f));
   sums.anyExcess = sums.anyAxial = false;
   SlopeRows<B> rows;
   LightBlock spheres, locals, spots;
@@ -225,11 +258,30 @@ HWY_NOINLINE void sumLocalSlopes(const PreparedLights& lights, std::span<const L
   if (spots.count > 0) addBlock<B, PreparedKind::spot>(spots, points, rows, sums);
 }
 
+/// What `terms` make of sums, added to the rows of the derivatives.
+template <int B>
+HWY_NOINLINE void addTerms(const detail::SlopeTerms<B>& terms, const Lane* numbers, Lane* slopes) {
+  for (std::size_t output = 0; output < 3 * B * B; ++output, slopes += 3) {
+    Lane r = slopes[0], g = slopes[1], b = slopes[2];
+    for (std::size_t t = terms.begin[output]; t < terms.begin[output + 1]; ++t) {
+      const Lane scale(terms.term[t].scale);
+      const Lane* from = numbers + 3 * terms.term[t].number;
+      r = mulAdd(scale, from[0], r);
+      g = mulAdd(scale, from[1], g);
+      b = mulAdd(scale, from[2], b);
+    }
+    slopes[0] = r;
+    slopes[1] = g;
+    slopes[2] = b;
+  }
+}
+
 /// From sums to the value's rows and those of its derivative by x, y and z.
 template <int B>
 HWY_NOINLINE void finishSlopes(const RadianceSH<B>& everywhere, const SlopeSums<B>& sums, Lane* out) {
   static constexpr std::array<float, B* B> kScale = detail::shScale<B>();
-  static constexpr detail::SlopeTerms<B> kTerms = detail::slopeTerms<B>();
+  static constexpr detail::SlopeTerms<B> kOfPlus = detail::slopeTerms<B>(false),
+                                         kOfExcess = detail::slopeTerms<B>(true);
   for (int i = 0; i < kValues<B>; ++i)
     out[i] = mulAdd(sums.numbers[i], Lane(kScale[static_cast<std::size_t>(i / 3)]), Lane(everywhere.data()[i]));
   Lane* slopes = out + kValues<B>;
@@ -239,15 +291,8 @@ HWY_NOINLINE void finishSlopes(const RadianceSH<B>& everywhere, const SlopeSums<
   } else {
     std::fill_n(slopes, 3 * kValues<B>, Lane(0.0f));
   }
-  const std::size_t terms = sums.anyExcess ? kTerms.all : kTerms.ordinary;
-  for (std::size_t t = 0; t < terms; ++t) {
-    const detail::SlopeTerm& term = kTerms.term[t];
-    const Lane scale(term.scale);
-    for (int c = 0; c < 3; ++c) {
-      Lane& slope = slopes[3 * term.output + c];
-      slope = mulAdd(scale, sums.numbers[3 * term.number + c], slope);
-    }
-  }
+  addTerms<B>(kOfPlus, sums.numbers, slopes);
+  if (sums.anyExcess) addTerms<B>(kOfExcess, sums.numbers, slopes);
 }
 
 /// Disks, point by point; `out` holds `count` points of `vectors` full of rows.

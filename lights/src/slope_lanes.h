@@ -59,10 +59,9 @@ HWY_INLINE void weighModulation(const SeenLanes& seen, const SlopeLanes& slope, 
   if constexpr (B > 4) weights.excess[4] = mulAdd(Lane(3.0f / 4), k[2], k[4]);
 }
 
-/// `put(number, value)` for all numbers of the value and G+, and those of X where there is any.
-template <int B, bool WithExcess, class Put>
+/// `put(number, value)` for the numbers of the value and of G+.
+template <int B, class Put>
 HWY_INLINE void weighSlopes(const SeenLanes& seen, const BandWeights<B>& weights, const Put& put) {
-  using Numbers = detail::SlopeNumbers<B>;
   Lane basis[(B + 1) * (B + 1)];
   polynomials<B>(seen.wx, seen.wy, seen.wz, basis);
   put(0, weights.value[0]);
@@ -74,15 +73,68 @@ HWY_INLINE void weighSlopes(const SeenLanes& seen, const BandWeights<B>& weights
   HWY_UNROLL(5)
   for (int l = 1; l <= B; ++l) {
     HWY_UNROLL(11)
-    for (int i = l * l; i < (l + 1) * (l + 1); ++i) put(Numbers::kPlus + i - 1, weights.plus[l - 1] * basis[i]);
+    for (int i = l * l; i < (l + 1) * (l + 1); ++i)
+      put(detail::SlopeNumbers<B>::kPlus + i - 1, weights.plus[l - 1] * basis[i]);
   }
-  if constexpr (WithExcess) {
-    put(Numbers::kExcess, weights.excess[1]);
+}
+
+/// `put(i, value)` for the numbers of X, i from 0.
+template <int B, class Put>
+HWY_INLINE void weighExcess(const SeenLanes& seen, const BandWeights<B>& weights, const Put& put) {
+  put(0, weights.excess[1]);
+  if constexpr (B > 2) {
+    put(1, weights.excess[2] * seen.wy);
+    put(2, weights.excess[2] * seen.wz);
+    put(3, weights.excess[2] * seen.wx);
+  }
+  if constexpr (B > 3) {
+    Lane basis[(B - 1) * (B - 1)];
+    polynomials<B - 2>(seen.wx, seen.wy, seen.wz, basis);
     HWY_UNROLL(5)
-    for (int l = 1; l < B - 1; ++l) {
+    for (int l = 2; l < B - 1; ++l) {
       HWY_UNROLL(7)
-      for (int i = l * l; i < (l + 1) * (l + 1); ++i) put(Numbers::kExcess + i, weights.excess[l + 1] * basis[i]);
+      for (int i = l * l; i < (l + 1) * (l + 1); ++i) put(i, weights.excess[l + 1] * basis[i]);
     }
+  }
+}
+
+/// Parts of the numbers of 2 and 3 bands whose sums fit 32 registers, in an order that needs few more: the value; G+ of
+/// the bands 1 and 2; G+ of band 3.
+template <int B, int Part>
+struct SlopePart {
+  static constexpr int kFirst = Part == 0 ? 0 : B * B + (Part == 1 ? 0 : 8);
+  static constexpr int kCount = Part == 0 ? B * B : Part == 1 ? 8 : 7;
+};
+/// `put(i, number)` with i from 0 in the part.
+template <int B, int Part, class Put>
+HWY_INLINE void weighPart(const SeenLanes& seen, const BandWeights<B>& weights, const Put& put) {
+  const Lane x = seen.wx, y = seen.wy, z = seen.wz;
+  if constexpr (Part == 0) {
+    weighBasis<B>(seen, put);
+  } else if constexpr (Part == 1) {
+    put(0, weights.plus[0] * y);
+    put(1, weights.plus[0] * z);
+    put(2, weights.plus[0] * x);
+    const Lane wy = weights.plus[1] * y;
+    put(4, wy * z);
+    const Lane wx = weights.plus[1] * x;
+    put(3, wx * y);
+    put(6, wx * z);
+    const Lane xx = wx * x, yy = wy * y;
+    put(7, xx - yy);
+    const Lane zz = weights.plus[1] * z * z;
+    put(5, mulSub(Lane(2.0f), zz, xx + yy));
+  } else {
+    const Lane weight = weights.plus[2], xx = x * x, yy = y * y, xxyy = xx - yy, tt = xx + yy, xy2 = (x + x) * y;
+    put(0, weight * mulAdd(x, xy2, y * xxyy));
+    put(6, weight * mulSub(x, xxyy, y * xy2));
+    const Lane weightZ = weight * z, zz = z * z;
+    put(1, weightZ * xy2);
+    put(5, weightZ * xxyy);
+    put(3, weightZ * negMulAdd(Lane(3.0f), tt, zz + zz));
+    const Lane f31 = weight * mulSub(Lane(4.0f), zz, tt);
+    put(2, f31 * y);
+    put(4, f31 * x);
   }
 }
 

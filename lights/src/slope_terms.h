@@ -17,15 +17,13 @@
 
 namespace rigel::detail {
 
-/// Numbers of a light at a point: of its SH, of G+ by band, of X by band.
+/// Numbers of a light at a point: of its SH; from kPlus on of G+, where that of Y_i of band 1 and more is kPlus + i -
+/// 1; from kExcess on of X, that of Y_i kExcess + i.
 template <int B>
 struct SlopeNumbers {
   static constexpr int kPlus = B * B;
   static constexpr int kExcess = kPlus + (B + 1) * (B + 1) - 1;
   static constexpr int kAll = kExcess + (B - 1) * (B - 1);
-  /// Y_(l+1)m' in G+_l, and Y_(l-1)m' in X_l.
-  static constexpr int plus(int l, int i) { return kPlus + i - 1 + 0 * l; }
-  static constexpr int excess(int i) { return kExcess + i; }
 };
 
 constexpr double squareRoot(double x) {
@@ -62,9 +60,9 @@ constexpr double axisTimesY(int axis, int l, int m, int otherL, int otherM) {
   return b == a + 1 ? -half * polar : half * polar;
 }
 
-/// One product of the gradient: output (axis * B^2 + i) += scale * sum of `number`.
+/// One product of the gradient: scale times the sum of a number.
 struct SlopeTerm {
-  int output = 0, number = 0;
+  int number = 0;
   float scale = 0;
 };
 
@@ -106,35 +104,37 @@ inline constexpr double kBasisScale[] = {kRigelY00,
                                          2.07566231488104106,
                                          0.65638205684017010281};
 
+/// The products of each output (axis * B^2 + i), from `begin` of it to that of the next.
 template <int B>
 struct SlopeTerms {
-  std::array<SlopeTerm, 3 * B * B * 6> term{};
-  std::size_t ordinary = 0, all = 0;  // those of G+ alone, then those of X
+  std::array<SlopeTerm, 3 * B * B * 5> term{};
+  std::array<std::size_t, 3 * B * B + 1> begin{};
 };
 
+/// Of G+, or of X.
 template <int B>
-constexpr SlopeTerms<B> slopeTerms() {
+constexpr SlopeTerms<B> slopeTerms(bool ofExcess) {
   SlopeTerms<B> out;
-  const auto add = [&](int axis, int i, int number, double scale) {
-    if (scale * scale > 1e-20) out.term[out.all++] = {axis * B * B + i, number, static_cast<float>(scale)};
+  std::size_t end = 0;
+  const auto add = [&](int number, double scale) {
+    if (scale * scale > 1e-20) out.term[end++] = {number, static_cast<float>(scale)};
   };
-  for (const bool excess : {false, true}) {
-    for (int axis = 0; axis < 3; ++axis)
-      for (int l = 0; l < B; ++l)
-        for (int m = -l; m <= l; ++m) {
-          const int i = shIndex(l, m);
-          for (int k = shIndex(l + 1, -l - 1); !excess && k <= shIndex(l + 1, l + 1); ++k)
-            add(axis, i, SlopeNumbers<B>::kPlus + k - 1,
-                2 * kBasisScale[k] * axisTimesY(axis, l, m, l + 1, k - shIndex(l + 1, 0)));
-          if (l == 0) continue;
-          for (int k = shIndex(l - 1, -l + 1); k <= shIndex(l - 1, l - 1); ++k) {
-            const double scale = 2 * kBasisScale[k] * axisTimesY(axis, l, m, l - 1, k - shIndex(l - 1, 0));
-            if (excess) add(axis, i, SlopeNumbers<B>::kExcess + k, scale);
-            if (!excess && l > 1) add(axis, i, SlopeNumbers<B>::kPlus + k - 1, -scale * (l - 1) / l);
-          }
+  for (int axis = 0; axis < 3; ++axis)
+    for (int l = 0; l < B; ++l)
+      for (int m = -l; m <= l; ++m) {
+        out.begin[static_cast<std::size_t>(axis * B * B + shIndex(l, m))] = end;
+        for (int n = -l - 1; n <= l + 1 && !ofExcess; ++n) {
+          const int k = shIndex(l + 1, n);
+          add(SlopeNumbers<B>::kPlus + k - 1, 2 * kBasisScale[k] * axisTimesY(axis, l, m, l + 1, n));
         }
-    if (!excess) out.ordinary = out.all;
-  }
+        for (int n = -l + 1; n <= l - 1; ++n) {
+          const int k = shIndex(l - 1, n);
+          const double scale = 2 * kBasisScale[k] * axisTimesY(axis, l, m, l - 1, n);
+          if (ofExcess) add(SlopeNumbers<B>::kExcess + k, scale);
+          if (!ofExcess && l > 1) add(SlopeNumbers<B>::kPlus + k - 1, -scale * (l - 1) / l);
+        }
+      }
+  out.begin.back() = end;
   return out;
 }
 
