@@ -18,10 +18,20 @@ struct BenchCase {
   double nanosecondsPerUnit = 1;
   std::string baseline;
   std::function<void(benchmark::State&)> body;
+  double flops = 0;  // floating-point operations an item, for its share of kPeakFigure; 0: none is given
 };
+
+/// What the machine's multiply-adds take at best.
+inline constexpr const char* kPeakFigure = "limit.fma";
 
 /// The surface of a body about the size of a person; its box is [-.3, .3] x [-.9, .9] x [-.2, .2] m.
 std::vector<Vec3> bodySurface();
+
+/// What the machine does at most.
+void addLimitCases(std::vector<BenchCase>& cases);
+
+/// Lights projected at points, in vectors, beside the textbook's form.
+void addProjectionCases(std::vector<BenchCase>& cases);
 
 /// Bounds of lights' errors: made for a rig in a pose, and asked about a light.
 void addBoundCases(std::vector<BenchCase>& cases);

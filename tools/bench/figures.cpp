@@ -31,60 +31,6 @@ LightSet sphereLights(int count) {
   return lights;
 }
 
-const std::vector<Vec3>& samplePoints() {
-  static const std::vector<Vec3> points = [] {
-    const auto surface = bodySurface();
-    return std::vector<Vec3>(surface.begin(), surface.begin() + 12);
-  }();
-  return points;
-}
-
-void addProjectionCases(std::vector<BenchCase>& cases) {
-  for (int n : {8, 64, 1024}) {
-    const auto lights = std::make_shared<LightSet>(sphereLights(n));
-    const double items = n * static_cast<double>(samplePoints().size());
-    const std::string suffix = ".n" + std::to_string(n);
-    cases.push_back({"project.textbook" + suffix, "ns/light/point", items, 1, "", [lights](benchmark::State& state) {
-                       for (auto _ : state)
-                         for (Vec3 p : samplePoints()) {
-                           Sh sum;
-                           for (int i = 0; i < lights->sphereCount(); ++i)
-                             projectSphereTextbook(lights->sphere(i), p, sum);
-                           benchmark::DoNotOptimize(sum);
-                         }
-                     }});
-    cases.push_back({"project.sphere" + suffix, "ns/light/point", items, 1, "project.textbook" + suffix,
-                     [lights](benchmark::State& state) {
-                       for (auto _ : state)
-                         for (Vec3 p : samplePoints()) {
-                           Sh sum = project<3>(*lights, p);
-                           benchmark::DoNotOptimize(sum);
-                         }
-                     }});
-    cases.push_back(
-        {"project.textbook_gradient" + suffix, "ns/light/point", items, 1, "", [lights](benchmark::State& state) {
-           constexpr float kStep = 1e-3f;
-           for (auto _ : state)
-             for (Vec3 p : samplePoints()) {
-               Sh value;
-               RadianceShGradient<3> gradient;
-               for (int i = 0; i < lights->sphereCount(); ++i)
-                 projectSphereTextbookGradient(lights->sphere(i), p, kStep, value, gradient);
-               benchmark::DoNotOptimize(value);
-               benchmark::DoNotOptimize(gradient);
-             }
-         }});
-    cases.push_back({"project.sphere_gradient" + suffix, "ns/light/point", items, 1,
-                     "project.textbook_gradient" + suffix, [lights](benchmark::State& state) {
-                       for (auto _ : state)
-                         for (Vec3 p : samplePoints()) {
-                           auto sum = projectWithGradient<3>(*lights, p);
-                           benchmark::DoNotOptimize(sum);
-                         }
-                     }});
-  }
-}
-
 /// A rig of the body under 64 lights.
 struct FittedRig {
   std::vector<Vec3> surface = bodySurface();
@@ -191,6 +137,7 @@ void addNearCases(std::vector<BenchCase>& cases) {
 
 std::vector<BenchCase> allCases() {
   std::vector<BenchCase> cases;
+  addLimitCases(cases);
   addProjectionCases(cases);
   addRigCases(cases);
   addNearCases(cases);
@@ -199,19 +146,27 @@ std::vector<BenchCase> allCases() {
   return cases;
 }
 
-/// Keeps the least CPU time an iteration [ns] of every benchmark, which other load disturbs least; prints nothing.
-class MinimumReporter final : public benchmark::BenchmarkReporter {
+/// Keeps the CPU times an iteration [ns] of every benchmark; prints nothing.
+class TimesReporter final : public benchmark::BenchmarkReporter {
  public:
   bool ReportContext(const Context&) override { return true; }
   void ReportRuns(const std::vector<Run>& runs) override {
     for (const Run& run : runs) {
       if (run.run_type != Run::RT_Iteration) continue;
       const double time = run.GetAdjustedCPUTime() * 1e9 / benchmark::GetTimeUnitMultiplier(run.time_unit);
-      const auto [least, isFirst] = nanoseconds.emplace(run.run_name.function_name, time);
-      if (!isFirst) least->second = std::min(least->second, time);
+      nanoseconds_[run.run_name.function_name].push_back(time);
     }
   }
-  std::map<std::string, double> nanoseconds;
+  /// The least, which other load disturbs least.
+  double least(const std::string& name) const { return *std::ranges::min_element(nanoseconds_.at(name)); }
+  double median(const std::string& name) const {
+    std::vector<double> times = nanoseconds_.at(name);
+    std::ranges::nth_element(times, times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2));
+    return times[times.size() / 2];
+  }
+
+ private:
+  std::map<std::string, std::vector<double>> nanoseconds_;
 };
 
 }  // namespace
@@ -242,6 +197,7 @@ Result<std::vector<Figure>> measureFigures(const std::string& filter, int repeti
     any = true;
     selected[c.name] = true;
     if (!c.baseline.empty()) selected.emplace(c.baseline, false);
+    if (c.flops > 0) selected.emplace(kPeakFigure, false);
   }
   if (!any) return Error{"matches no figure", "--filter " + filter};
 
@@ -254,16 +210,19 @@ Result<std::vector<Figure>> measureFigures(const std::string& filter, int repeti
   char* argv[] = {arguments[0].data(), arguments[1].data()};
   int argc = 2;
   benchmark::Initialize(&argc, argv);
-  MinimumReporter reporter;
+  TimesReporter reporter;
   benchmark::RunSpecifiedBenchmarks(&reporter, ".*");
 
+  std::map<std::string, double> perItem;
+  for (const BenchCase& c : cases)
+    if (selected.contains(c.name)) perItem[c.name] = reporter.least(c.name) / c.perIteration;
   std::vector<Figure> figures;
-  const auto perItem = [&](const BenchCase& c) { return reporter.nanoseconds.at(c.name) / c.perIteration; };
   for (const BenchCase& c : cases) {
     if (const auto found = selected.find(c.name); found == selected.end() || !found->second) continue;
-    Figure figure{c.name, perItem(c) / c.nanosecondsPerUnit, c.unit, c.baseline, 0};
-    for (const BenchCase& base : cases)
-      if (base.name == c.baseline) figure.ratio = perItem(base) / perItem(c);
+    Figure figure{c.name, perItem[c.name] / c.nanosecondsPerUnit, c.unit, c.baseline};
+    figure.median = reporter.median(c.name) / c.perIteration / c.nanosecondsPerUnit;
+    if (!c.baseline.empty()) figure.ratio = perItem[c.baseline] / perItem[c.name];
+    if (c.flops > 0) figure.limitFraction = c.flops / 1000 * perItem[kPeakFigure] / perItem[c.name];
     figures.push_back(std::move(figure));
   }
   return figures;

@@ -47,6 +47,8 @@ Result<std::vector<Figure>> measure(const Arguments& arguments) {
 nlohmann::ordered_json json(const Figure& f) {
   nlohmann::ordered_json row{{"name", f.name}, {"value", f.value}, {"unit", f.unit}};
   if (!f.baseline.empty()) row.update({{"baseline", f.baseline}, {"ratio", f.ratio}});
+  if (f.median > 0) row["median"] = f.median;
+  if (f.limitFraction) row["limit_fraction"] = *f.limitFraction;
   if (f.instructions) row["instructions"] = *f.instructions;
   if (f.spatialError) row["spatial_error"] = *f.spatialError;
   if (f.totalError) row["total_error"] = *f.totalError;
@@ -66,11 +68,13 @@ int runBench(const Arguments& arguments) {
   const auto percent = [](std::optional<double> e) { return e ? fmt::format("{:.2f} %", 100 * *e) : ""; };
   const bool gpu = std::ranges::any_of(*figures, [](const Figure& f) { return f.instructions.has_value(); });
   fmt::print(
-      "{:<28} {:>10}  {:<22} {:>8}  {}\n", "figure", "time", "unit", "ratio",
+      "{:<28} {:>10} {:>10}  {:<22} {:>8} {:>8}  {}\n", "figure", "time", "median", "unit", "ratio", "limit",
       gpu ? fmt::format("{:<28} {:>13} {:>9} {:>9}", "baseline", "instructions", "spatial", "total") : "baseline");
   for (const Figure& f : *figures) {
-    std::string line = fmt::format("{:<28} {:>10.4g}  {:<22} {:>8}  {:<28}", f.name, f.value, f.unit,
-                                   f.baseline.empty() ? "" : fmt::format("{:.2f}x", f.ratio), f.baseline);
+    std::string line = fmt::format("{:<28} {:>10.4g} {:>10}  {:<22} {:>8} {:>8}  {:<28}", f.name, f.value,
+                                   f.median > 0 ? fmt::format("{:.4g}", f.median) : "", f.unit,
+                                   f.baseline.empty() ? "" : fmt::format("{:.2f}x", f.ratio),
+                                   f.limitFraction ? fmt::format("{:.1f} %", 100 * *f.limitFraction) : "", f.baseline);
     if (f.instructions)
       line += fmt::format(" {:>13} {:>9} {:>9}", *f.instructions, percent(f.spatialError), percent(f.totalError));
     fmt::print("{}\n", line);
@@ -90,7 +94,9 @@ Command addBench(CLI::App& root) {
   app->add_flag("--json", arguments->json, "Figures as JSON");
   app->footer(
       "CPU time on one thread. Compare ratios: baseline and figure run in the same process, times of different\n"
-      "runs or machines say little. gpu.* time the shaders on the Vulkan device (minima, net of a shader without\n"
+      "runs or machines say little. Limit: the share of the multiply-adds that the machine does at best, measured\n"
+      "beside the figure in vectors as wide (limit.fma). gpu.* time the shaders on the Vulkan device (minima, net of a "
+      "shader without\n"
       "light), with the instructions of their SPIR-V and the errors of their rigs: what accuracy costs.");
   return {app, [arguments] { return runBench(*arguments); }};
 }
