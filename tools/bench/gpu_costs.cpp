@@ -1,6 +1,6 @@
 #include "bench/gpu_costs.h"
 
-#include "render/point_shader.h"
+#include "render/point_timer.h"
 #include "report/run_options.h"
 #include "samples/samples.h"
 #include "scene/gltf_load.h"
@@ -130,43 +130,33 @@ class Measured {
     const LightSet& lights = wanted.disks ? car.disks : car.lights.set;
     out.rig_->fit(car.object, car.posed, lights, 0);
 
-    auto shader =
-        PointShader::create(context, *out.rig_, {&wanted.wrap, 1}, wanted.storage, points.size(), wanted.wrappedDisk);
-    if (!shader) return shader.error();
-    out.shader_ = std::make_unique<PointShader>(*std::move(shader));
     Truth truth;
     truth.update(car.object, car.posed, *surface, lights, wanted.bands);
-    std::vector<RigRunner::Shaded> shaded(truth.points.size());
-    if (const auto first = out.shader_->shade(*out.rig_, truth.points, surface->wrap, shaded); !first)
-      return first.error();
+    std::vector<RigRunner::Shaded> shaded(points.size());
+    const std::vector<float> wraps(points.size(), wanted.wrap);
+    auto timer = PointTimer::create(context, *out.rig_, points, wraps, wanted.storage, shaded, 1, wanted.wrappedDisk);
+    if (!timer) return timer.error();
+    out.timer_ = std::make_unique<PointTimer>(*std::move(timer));
+    shaded.resize(truth.points.size());
+    if (auto error = out.timer_->set(*out.rig_, truth.points, surface->wrap, shaded)) return *error;
     out.totalError_ = rmsOver(shaded, truth, true);
     if (out.rig_->nearLights().empty()) out.spatialError_ = rmsOver(shaded, truth, false);
 
     // The points that are timed stay in the shader's buffers.
-    const std::vector<float> wraps(points.size(), wanted.wrap);
     shaded.resize(points.size());
-    if (const auto first = out.shader_->shade(*out.rig_, points, wraps, shaded); !first) return first.error();
-    if (const auto first = out.shader_->emptyMicroseconds(); !first) return first.error();
+    if (auto error = out.timer_->set(*out.rig_, points, wraps, shaded)) return *error;
     return out;
   }
 
-  std::optional<Error> repeat() {
-    const auto lit = shader_->again();
-    if (!lit) return lit.error();
-    const auto empty = shader_->emptyMicroseconds();
-    if (!empty) return empty.error();
-    lit_.push_back(*lit);
-    empty_.push_back(*empty);
-    return std::nullopt;
-  }
+  std::optional<Error> repeat() { return timer_->repeat(); }
 
-  /// ms, net of reading points and writing results: of minima, since other load only adds.
-  double milliseconds() const { return 1e-3 * (std::ranges::min(lit_) - std::ranges::min(empty_)); }
+  double milliseconds() const { return 1e-3 * timer_->microseconds(); }
 
   Result<int> instructions() const {
     std::vector<SpecialisedConstant> constants;
-    for (const ShaderConstant& c : shader_->variant().constants()) constants.push_back({c.id, c.bits});
-    auto words = specialise(shaderBinary(shader_->variant().binary("points.comp")), constants);
+    const ShaderVariant& variant = timer_->shader().variant();
+    for (const ShaderConstant& c : variant.constants()) constants.push_back({c.id, c.bits});
+    auto words = specialise(shaderBinary(variant.binary("points.comp")), constants);
     if (!words) return words.error();
     return instructionCount(*words);
   }
@@ -178,10 +168,9 @@ class Measured {
  private:
   const Case* case_ = nullptr;
   std::unique_ptr<RigRunner> rig_;
-  std::unique_ptr<PointShader> shader_;
+  std::unique_ptr<PointTimer> timer_;
   std::optional<double> spatialError_;
   double totalError_ = 0;
-  std::vector<double> lit_, empty_;
 };
 
 constexpr const char* kTextures[] = {"gpu.lattice8x4x2.texture32", "gpu.lattice8x4x2.texture16"};

@@ -77,6 +77,7 @@ void ObjectRun::setReference() {
 void ObjectRun::measure(const RunFrame& frame, const LightSet& lights) {
   if (frames_.empty()) setReference();
   truth_.update(*object_, posed_, surface_, lights, bands_);
+  farBegun_ = false;
   followsOn_ = frame.followsOn && !frames_.empty();
   FrameTruth& truth = frames_.emplace_back(FrameTruth{truth_.mean, {}});
   numbers_.push_back(frame.number);
@@ -134,11 +135,10 @@ void ObjectRun::time(MeasuredRig& rig) {
 }
 
 std::span<const Rgb> ObjectRun::shOfFarShares(const RigRunner& rig, const LightSet& lights) {
-  weights_.clear();
-  for (const LightVerdict& verdict : rig.verdicts()) weights_.push_back(verdict.weight);
-  if (std::ranges::all_of(weights_, [](float w) { return w == 0; })) return truth_.sh;
-  splitLights(lights, weights_, far_, near_);
-  truth_.project(far_, surface_, bands_, farSh_);
+  if (std::ranges::all_of(rig.verdicts(), [](const LightVerdict& v) { return v.weight == 0; })) return truth_.sh;
+  if (!farBegun_) far_.begin(truth_, surface_, lights, bands_);
+  farBegun_ = true;
+  far_.irradiance(rig.verdicts(), farSh_);
   return farSh_;
 }
 

@@ -1,6 +1,7 @@
 // Measures all rigs of one object over the frames of a run.
 #pragma once
 
+#include "report/far_truth.h"
 #include "report/rig_tally.h"
 #include "report/run_options.h"
 
@@ -107,9 +108,8 @@ class ObjectRun {
   std::vector<RgbD> previousExact_;
   std::vector<RigRunner::Shaded> shaded_, half_;
 
-  LightSet far_;  // working memory of shOfFarShares
-  std::vector<NearLight> near_;
-  std::vector<float> weights_;
+  FarTruth far_;           // of frames in which a rig has a light near
+  bool farBegun_ = false;  // in this frame
   std::vector<Rgb> farSh_;
 };
 

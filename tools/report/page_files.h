@@ -1,4 +1,4 @@
-// The sources of the report page (page/), compiled into the program by embed.cmake.
+// The sources of the program's pages, compiled into it by embed.cmake.
 #pragma once
 
 #include <span>
@@ -11,7 +11,9 @@ struct PageFile {
   std::string_view content;
 };
 
-/// In the order in which CMakeLists.txt lists them: scripts run in that order.
+/// Of the report, and of the chart of cost and error; in the order in which CMakeLists.txt lists them: scripts run in
+/// that order.
 std::span<const PageFile> pageFiles() noexcept;
+std::span<const PageFile> paretoPageFiles() noexcept;
 
 }  // namespace rigel::tools

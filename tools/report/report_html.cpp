@@ -2,27 +2,15 @@
 
 #include "picture/heat_map.h"
 #include "report/base64.h"
-#include "report/page_files.h"
+#include "report/page_template.h"
 #include "report/report_json.h"
 
 #include <fmt/format.h>
-
-#include <algorithm>
-#include <cassert>
-#include <string_view>
 
 namespace rigel::tools {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// All page files of one kind, one after another.
-std::string concatenated(std::string_view extension) {
-  std::string text;
-  for (const PageFile& file : pageFiles())
-    if (file.name.ends_with(extension)) text += file.content;
-  return text;
-}
 
 std::string dataUri(const std::vector<std::uint8_t>& png) { return "data:image/png;base64," + base64(png); }
 
@@ -55,22 +43,6 @@ Json embeddedPictures(const Report& report) {
   return objects;
 }
 
-/// Copies `text`, with each {{NAME}} replaced. What is put in is not searched again: it may hold braces of its own.
-std::string fill(std::string_view text, std::initializer_list<std::pair<std::string_view, std::string>> values) {
-  std::string result;
-  for (;;) {
-    const std::size_t open = text.find("{{");
-    result += text.substr(0, open);
-    if (open == std::string_view::npos) return result;
-    const std::size_t close = text.find("}}", open);
-    const std::string_view name = text.substr(open + 2, close - open - 2);
-    const auto value = std::find_if(values.begin(), values.end(), [&](const auto& v) { return v.first == name; });
-    assert(value != values.end() && "page/template.html names a part that does not exist");
-    result += value->second;
-    text.remove_prefix(close + 2);
-  }
-}
-
 }  // namespace
 
 std::string scriptSafeJson(const nlohmann::ordered_json& document) {
@@ -89,11 +61,13 @@ std::string scriptSafeJson(const nlohmann::ordered_json& document) {
 }
 
 std::string reportHtml(const Report& report, const nlohmann::ordered_json& document) {
-  return fill(concatenated(".html"),
-              {{"STYLE", concatenated(".css")},
-               {"SCRIPT", concatenated(".js")},
-               {"DATA", scriptSafeJson(document)},
-               {"PICTURES", scriptSafeJson({{"colors", heatMapColors()}, {"objects", embeddedPictures(report)}})}});
+  const auto all = [](std::string_view extension) { return concatenated(pageFiles(), extension); };
+  return fillTemplate(
+      all(".html"),
+      {{"STYLE", all(".css")},
+       {"SCRIPT", all(".js")},
+       {"DATA", scriptSafeJson(document)},
+       {"PICTURES", scriptSafeJson({{"colors", heatMapColors()}, {"objects", embeddedPictures(report)}})}});
 }
 
 }  // namespace rigel::tools

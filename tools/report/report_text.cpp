@@ -21,21 +21,6 @@ std::size_t width(std::string_view utf8) {
       std::count_if(utf8.begin(), utf8.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
-std::string printable(std::string_view text) {
-  std::string safe;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const unsigned char c = static_cast<unsigned char>(text[i]);
-    const bool c1 = c == 0xC2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xA0;  // U+0080..9F
-    if (c < 0x20 || c == 0x7F || c1) {
-      safe += '?';
-      i += c1 ? 1 : 0;
-    } else {
-      safe += text[i];
-    }
-  }
-  return safe;
-}
-
 /// First column to the left, the others (figures) to the right, two blanks between.
 std::string aligned(const std::vector<Row>& rows) {
   std::vector<std::size_t> widths(rows.front().size(), 0);

@@ -1,5 +1,7 @@
 #include "report/rig_runner.h"
 
+#include "report/half_coefficients.h"
+
 #include <rigel/glm.h>
 
 #include <chrono>
@@ -116,14 +118,16 @@ class RunnerOf final : public RigRunner {
     return shading_ != nullptr;
   }
 
+  void shadeRounded(std::span<const PointAndNormal> points, std::span<const float> wrap,
+                    std::span<Rgb> out) const override {
+    const HalfCoefficients<B> rounded(lighting_.rig(), frame_, lighting_.coefficients(), lighting_.highBand());
+    for (std::size_t i = 0; i < points.size(); ++i)
+      out[i] = rounded.shade(points[i].position, points[i].normal, wrap[i]);
+  }
+
   bool hasHighBand() const override { return lighting_.highBand().band >= B; }
   Rgb highBand(Vec3 normal, float wrap) const override {
-    const auto& high = lighting_.highBand();
-    float y[shCount(kMaxBands)];
-    shBasis<kMaxBands>(normal, y);
-    Rgb sum;
-    for (int m = 0; m < 2 * high.band + 1; ++m) sum += high.c[m] * y[high.band * high.band + m];
-    return sum * (static_cast<float>(kPi) * wrapCoefficients<kMaxBands>(wrap)[high.band]);
+    return highBandIrradiance(lighting_.highBand(), normal, wrap);
   }
 
   int shVectors() const override { return static_cast<int>(lighting_.coefficients().size()); }
@@ -173,6 +177,15 @@ class RunnerOf final : public RigRunner {
 };
 
 }  // namespace
+
+double fitMicroseconds(const FitTimes& times, const LightingOptions& asked) {
+  double sum = 0;
+  for (std::size_t stage = 0; stage < FitTimes::kStages; ++stage) {
+    const bool counts = stage != FitTimes::kEstimate && (stage != FitTimes::kBound || asked.nearSlots > 0);
+    if (counts) sum += times.stages[stage].value_or(0);
+  }
+  return sum;
+}
 
 Result<std::unique_ptr<RigRunner>> makeRigRunner(const RigSpec& spec, const LightingOptions& asked, int bands,
                                                  const SceneObject& object, const PosedObject& rest,

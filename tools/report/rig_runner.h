@@ -19,6 +19,10 @@ struct FitTimes {
   std::array<std::optional<double>, kStages> stages;
 };
 
+/// Of what a game would do: estimates, and the bounds of a rig that leaves no light to exact evaluation, are made for
+/// the report alone.
+double fitMicroseconds(const FitTimes& times, const LightingOptions& asked);
+
 class PointShading;
 
 /// Type-erased over the number of bands. Near lights fade with the frames it is shown (reset, fit).
@@ -64,6 +68,10 @@ class RigRunner {
   /// As `shade`, with coefficients in half floats; false where nobody has them.
   virtual bool shadeHalf(std::span<const PointAndNormal> points, std::span<const float> wrap,
                          std::span<Shaded> out) = 0;
+
+  /// As the CPU's `shade` without near lights, with coefficients rounded to half floats as gpu_rig.h stores them.
+  virtual void shadeRounded(std::span<const PointAndNormal> points, std::span<const float> wrap,
+                            std::span<Rgb> out) const = 0;
 
   /// The part of Shaded::rig that lies beyond the rig's bands: no part of its spatial error.
   virtual bool hasHighBand() const = 0;

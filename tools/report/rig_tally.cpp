@@ -52,36 +52,17 @@ void RigTally::addFrame(const RigRunner& rig, std::span<const RigRunner::Shaded>
   condition_ = std::max(condition_, rig.rig().condition());
 
   samples_ = shaded.size();
-  spatialError_.resize(samples_);
-  const bool highBand = rig.hasHighBand();
-  for (std::size_t i = 0; i < samples_; ++i) {
-    spatialError_[i] = shaded[i].rig - sh[i];
-    if (!highBand) continue;
-    const Rgb high = rig.highBand(truth.points[i].normal, wrap[i]);
-    frame.highBand = frame.highBand || high.r != 0 || high.g != 0 || high.b != 0;
-    spatialError_[i] = spatialError_[i] - high;
-  }
-  compare(frame, shaded, truth, followsOn);
-}
-
-void RigTally::compare(Frame& frame, std::span<const RigRunner::Shaded> shaded, const Truth& truth, bool followsOn) {
   std::swap(error_, previousError_);
-  error_.resize(shaded.size());
+  error_.resize(samples_);
+  frame.errors = frameErrors(rig, shaded, truth, sh, wrap, error_);
+  spatialMax_ = std::max(spatialMax_, frame.errors.spatialMax);
+  totalMax_ = std::max(totalMax_, frame.errors.totalMax);
+  if (!followsOn) return;
   double jump = 0;
-  for (std::size_t i = 0; i < shaded.size(); ++i) {
-    const Rgb clamped = shaded[i].clamped();
-    for (int c = 0; c < 3; ++c) {
-      const double spatial = static_cast<double>(spatialError_[i][c]);
-      const double total = static_cast<double>(clamped[c]) - truth.exact[i][c];
-      frame.spatialSquares += square(spatial);
-      frame.totalSquares += square(total);
-      spatialMax_ = std::max(spatialMax_, std::abs(spatial));
-      totalMax_ = std::max(totalMax_, std::abs(total));
-      error_[i][c] = static_cast<float>(total);
-      if (followsOn) jump = std::max(jump, static_cast<double>(std::abs(error_[i][c] - previousError_[i][c])));
-    }
-  }
-  if (followsOn) frame.jump = jump;
+  for (std::size_t i = 0; i < samples_; ++i)
+    for (int c = 0; c < 3; ++c)
+      jump = std::max(jump, static_cast<double>(std::abs(error_[i][c] - previousError_[i][c])));
+  frame.jump = jump;
 }
 
 void RigTally::addHalf(std::span<const RigRunner::Shaded> shaded, std::span<const RigRunner::Shaded> half) {
@@ -96,24 +77,17 @@ void RigTally::addHalf(std::span<const RigRunner::Shaded> shaded, std::span<cons
   frames_.back().halfSquares = squares;
 }
 
-double RigTally::totalError(std::size_t frame) const { return std::sqrt(frames_[frame].totalSquares); }
+double RigTally::totalError(std::size_t frame) const { return std::sqrt(frames_[frame].errors.totalSquares); }
 
 void RigTally::addTimes(RigReport& out) const {
-  // Estimates, and the bounds of a rig that leaves no light to exact evaluation, are made for the report alone.
-  const auto counts = [&](int stage) {
-    return stage != FitTimes::kEstimate && (stage != FitTimes::kBound || asked_.nearSlots > 0);
-  };
-  std::vector<double> fit(fitTimes_.size(), 0);
   for (int stage = 0; stage < FitTimes::kStages; ++stage) {
     std::vector<double> times;
-    for (std::size_t i = 0; i < fitTimes_.size(); ++i) {
-      const auto& time = fitTimes_[i].stages[static_cast<std::size_t>(stage)];
-      if (!time) continue;
-      times.push_back(*time);
-      if (counts(stage)) fit[i] += *time;
-    }
+    for (const FitTimes& frame : fitTimes_)
+      if (const auto& time = frame.stages[static_cast<std::size_t>(stage)]) times.push_back(*time);
     if (!times.empty()) out.stages.push_back({FitTimes::kNames[stage], median(std::move(times))});
   }
+  std::vector<double> fit;
+  for (const FitTimes& frame : fitTimes_) fit.push_back(fitMicroseconds(frame, asked_));
   const double shade = median(shadeTimes_);
   out.stages.push_back({"shade", shade});
   out.fitMicroseconds = median(std::move(fit));
@@ -129,8 +103,8 @@ void RigTally::addFrames(RigReport& out, const TallyContext& context) const {
     const Frame& from = frames_[f];
     RigFrame& frame = out.frames.emplace_back();
     frame.time = context.times[f];
-    frame.spatialRms = scale * std::sqrt(from.spatialSquares / channels);
-    frame.totalRms = scale * std::sqrt(from.totalSquares / channels);
+    frame.spatialRms = scale * std::sqrt(from.errors.spatialSquares / channels);
+    frame.totalRms = scale * std::sqrt(from.errors.totalSquares / channels);
     frame.estimate = asDouble(from.estimate);
     frame.totalEstimate = asDouble(from.totalEstimate);
     frame.granted = asDouble(from.granted);
@@ -141,13 +115,13 @@ void RigTally::addFrames(RigReport& out, const TallyContext& context) const {
     frame.shVectors = from.shVectors;
     frame.modelledNanoseconds = static_cast<double>(from.modelledNanoseconds);
     frame.near = from.near;
-    spatial += from.spatialSquares / channels / count;
-    total += from.totalSquares / channels / count;
+    spatial += from.errors.spatialSquares / channels / count;
+    total += from.errors.totalSquares / channels / count;
     if (from.halfSquares) half = half.value_or(0) + *from.halfSquares / channels / count;
     out.shVectors += from.shVectors;  // counts are summed first: their mean is then exact where all are alike
     out.nearLights += static_cast<double>(from.near.size());
     out.modelledNanoseconds += frame.modelledNanoseconds / count;
-    out.highBandFrames += from.highBand ? 1 : 0;
+    out.highBandFrames += from.errors.highBand ? 1 : 0;
   }
   out.shVectors /= count;
   out.nearLights /= count;

@@ -1,9 +1,9 @@
 // What one rig did over the frames of a run: errors, times, choices.
 #pragma once
 
+#include "report/frame_errors.h"
 #include "report/light_log.h"
 #include "report/report_data.h"
-#include "report/rig_runner.h"
 
 namespace rigel::tools {
 
@@ -40,16 +40,14 @@ class RigTally {
  private:
   struct Frame {
     std::optional<double> halfSquares;            // of what half floats change
-    double spatialSquares = 0, totalSquares = 0;  // summed over samples and channels [W/m2]^2
+    FrameErrors errors;
     std::optional<float> estimate, totalEstimate, granted;
     std::optional<double> jump;
     int shVectors = 0;
     float modelledNanoseconds = 0;
-    bool highBand = false;
     std::vector<int> near;
   };
 
-  void compare(Frame& frame, std::span<const RigRunner::Shaded> shaded, const Truth& truth, bool followsOn);
   void addTimes(RigReport& out) const;
   void addFrames(RigReport& out, const TallyContext& context) const;
 
@@ -61,7 +59,6 @@ class RigTally {
   std::vector<double> shadeTimes_;  // us, all samples
   double spatialMax_ = 0, totalMax_ = 0, halfMax_ = 0, condition_ = 1;
   std::size_t bytes_ = 0, samples_ = 0;
-  std::vector<Rgb> spatialError_;           // rig - SH at each point
   std::vector<Rgb> error_, previousError_;  // clamped rig + near lights - exact
 };
 

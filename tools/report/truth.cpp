@@ -1,25 +1,8 @@
 #include "report/truth.h"
 
-#include "parallel/parallel.h"
-
 #include <algorithm>
 
 namespace rigel::tools {
-namespace {
-
-/// Calls body(i) for each of `count` samples, on all cores.
-template <class Body>
-void forSamples(std::size_t count, const Body& body) {
-  // Enough samples a block that handing it out costs nothing, few enough that the last block is short.
-  constexpr std::size_t kBlock = 64;
-  parallelFor(static_cast<int>((count + kBlock - 1) / kBlock), [&](int block) {
-    const std::size_t first = kBlock * static_cast<std::size_t>(block);
-    for (std::size_t i = first; i < std::min(first + kBlock, count); ++i) body(i);
-  });
-}
-
-}  // namespace
-
 void Truth::update(const SceneObject& object, const PosedObject& posed, const SurfaceSet& surface,
                    const LightSet& lights, int bands) {
   const std::size_t count = surface.measured.size();

@@ -1,10 +1,12 @@
 // What rigs are measured against in one frame: exact irradiance, and SH of the same bands at every point.
 #pragma once
 
+#include "parallel/parallel.h"
 #include "report/surface_set.h"
 
 #include <rigel/exact.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace rigel::tools {
@@ -27,6 +29,17 @@ struct Truth {
 /// Mean exact irradiance over a few of an object's measured points: the scale of a run's errors before it is measured.
 double quickMean(const SceneObject& object, const PosedObject& posed, const SurfaceSet& surface,
                  const LightSet& lights);
+
+/// Calls body(i) for each of `count` samples, on all cores.
+template <class Body>
+void forSamples(std::size_t count, const Body& body) {
+  // Enough samples a block that handing it out costs nothing, few enough that the last block is short.
+  constexpr std::size_t kBlock = 64;
+  parallelFor(static_cast<int>((count + kBlock - 1) / kBlock), [&](int block) {
+    const std::size_t first = kBlock * static_cast<std::size_t>(block);
+    for (std::size_t i = first; i < std::min(first + kBlock, count); ++i) body(i);
+  });
+}
 
 /// Calls `f.template operator()<B>()` for a run-time band count from 2 to 5.
 template <class F>

@@ -27,4 +27,19 @@ std::string counted(double number, std::string_view one, std::string_view many) 
                       : fmt::format("{:.{}f} {}", number, digits, many);
 }
 
+std::string printable(std::string_view text) {
+  std::string safe;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const unsigned char c = static_cast<unsigned char>(text[i]);
+    const bool c1 = c == 0xC2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xA0;  // U+0080..9F
+    if (c < 0x20 || c == 0x7F || c1) {
+      safe += '?';
+      i += c1 ? 1 : 0;
+    } else {
+      safe += text[i];
+    }
+  }
+  return safe;
+}
+
 }  // namespace rigel::tools

@@ -2,9 +2,7 @@
 
 #include "report/report_html.h"
 #include "report/report_json.h"
-#include "report/staged_file.h"
-
-#include <system_error>
+#include "report/write_together.h"
 
 namespace rigel::tools {
 
@@ -18,33 +16,16 @@ constexpr const char* kDocument = "report.json";
 }  // namespace
 
 std::optional<Error> reportObstacle(const fs::path& directory) {
-  std::error_code ignored;
-  for (const char* name : {kPage, kDocument})
-    if (fs::is_directory(directory / name, ignored))
-      return Error{"is a directory, so the report cannot be written", (directory / name).string()};
-  return std::nullopt;
+  const char* const names[] = {kPage, kDocument};
+  return obstacleTo(names, directory);
 }
 
 Result<WrittenReport> writeReport(const Report& report, const fs::path& directory) {
   Result<nlohmann::ordered_json> document = reportJson(report);
   if (!document) return document.error();
-  const std::string html = reportHtml(report, *document);
-  const std::string json = jsonText(*document, 1) + '\n';
-
-  std::error_code error;
-  fs::create_directories(directory, error);
-  if (error) return Error{"cannot be made: " + error.message(), directory.string()};
-
-  const WrittenReport written{directory / kPage, directory / kDocument, html.size()};
-  StagedFile htmlFile(written.html);
-  StagedFile jsonFile(written.json);
-  if (auto failed = htmlFile.write(html)) return *failed;
-  if (auto failed = jsonFile.write(json)) return *failed;
-  if (auto failed = htmlFile.commit()) return *failed;
-  if (auto failed = jsonFile.commit()) return *failed;
-  htmlFile.keep();
-  jsonFile.keep();
-  return written;
+  const FileContent files[] = {{kPage, reportHtml(report, *document)}, {kDocument, jsonText(*document, 1) + '\n'}};
+  if (auto failed = writeTogether(files, directory)) return *failed;
+  return WrittenReport{directory / kPage, directory / kDocument, files[0].content.size()};
 }
 
 }  // namespace rigel::tools
