@@ -18,6 +18,7 @@ struct Command {
 };
 
 Command addReport(CLI::App& root);
+Command addPareto(CLI::App& root);
 Command addRender(CLI::App& root);
 Command addProbe(CLI::App& root);
 Command addSample(CLI::App& root);

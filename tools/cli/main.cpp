@@ -33,8 +33,8 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", "rigel " RIGEL_VERSION);
   app.require_subcommand(1);
   app.footer(kFooter);
-  const std::vector<Command> commands = {addReport(app), addRender(app), addInfo(app), addSample(app),
-                                         addTables(app), addProbe(app),  addBench(app)};
+  const std::vector<Command> commands = {addReport(app), addPareto(app), addRender(app), addInfo(app),
+                                         addSample(app), addTables(app), addProbe(app),  addBench(app)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& request) {  // --help, --version

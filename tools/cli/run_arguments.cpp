@@ -7,11 +7,19 @@
 
 namespace rigel::tools {
 
-void RunArguments::add(CLI::App& app) {
+void RunArguments::addScene(CLI::App& app) {
   app.add_option("--clip", clip_, "Animation clip by name, or 'all' [the first]");
   app.add_option("--frames", frames_, "FIRST:LAST:STEP in frames of the clip, counted at --rate")
       ->capture_default_str();
   app.add_option("--rate", rate_, "Frames a second at which the clip is looked at")->capture_default_str();
+  app.add_option("--wrap", wrap_, "Wrap reflectance of everything; 0 is Lambert [the materials']")
+      ->check(CLI::Range(kMinWrap, kMaxWrap));
+  app.add_option("--lights", lights_, "Take the lights of another scene, scaled to this one's size");
+  app.add_option("--exposure", exposure_, "Multiplies all light")->capture_default_str();
+}
+
+void RunArguments::add(CLI::App& app) {
+  addScene(app);
   app.add_option("--near", near_,
                  "Lights evaluated exactly at every point: a number, or auto [auto for `auto` rigs, 0 for others]");
   app.add_option("--error", error_, "What `auto` and --near auto aim at: spatial RMS error over the mean light [0.05]");
@@ -19,11 +27,7 @@ void RunArguments::add(CLI::App& app) {
   app.add_option("--budget-us", budget_,
                  "Time for all objects of a frame together, in modelled microseconds, 10000 points an object:\n"
                  "what each aims at is then given up where it shows least [no limit]");
-  app.add_option("--wrap", wrap_, "Wrap reflectance of everything; 0 is Lambert [the materials']")
-      ->check(CLI::Range(kMinWrap, kMaxWrap));
   app.add_option("--bands", bands_, "SH bands")->capture_default_str()->check(CLI::Range(kMinBands, kMaxBands));
-  app.add_option("--lights", lights_, "Take the lights of another scene, scaled to this one's size");
-  app.add_option("--exposure", exposure_, "Multiplies all light")->capture_default_str();
 }
 
 std::optional<LightingTarget> RunArguments::target() const {

@@ -14,9 +14,13 @@ class RunArguments {
   explicit RunArguments(std::string frames = "0:") : defaultFrames_(std::move(frames)), frames_(defaultFrames_) {}
 
   void add(CLI::App& app);
+  /// Without what governs the rigs' choices, for who runs many rigs of his own: what is looked at, and when.
+  void addScene(CLI::App& app);
 
   /// Everything but scenes, rigs and images. Error: names the option and what it allows.
   Result<RunOptions> options() const;
+
+  bool framesGiven() const { return frames_ != defaultFrames_; }
 
   /// The options that were given, as typed, each with a blank before it.
   std::string text() const;
