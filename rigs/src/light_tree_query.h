@@ -66,9 +66,11 @@ class BallQuery {
   /// Share that goes to every sample, because slopes do not follow it there: all of it where the error is beyond the
   /// limit.
   float nearShare(float error, float limit, float distance, float reach) const noexcept {
+    // The usual case, without a division.
+    const float enough = kSlopeReach * (reach + b_);
+    if (error <= kSlopesDo * limit && distance >= (1 + kSlopeBand) * enough) return 0;
     if (!(limit > 0)) return 1;
     const float wrong = smoothstep((error / limit - kSlopesDo) / (1 - kSlopesDo));
-    const float enough = kSlopeReach * (reach + b_);
     const float close = enough > 0 ? 1 - smoothstep((distance / enough - 1) / kSlopeBand) : 0;
     return std::max(wrong, close);
   }

@@ -167,19 +167,19 @@ class Query : BallQuery {
   }
 
   void addCluster(const TreeNode& node, const View& v, const DimmingRange& dim, double weight, float dark) noexcept {
-    const double inverse = 1.0 / v.least;
-    const double square = node.spread * inverse * (node.spread * inverse);
-    const double theta = std::min(0.9, node.reach * inverse);
-    const double lopside = 2 * node.lopside * inverse;
-    const double grown = weight * dark * node.power * (1 + square * growthOf(static_cast<float>(theta)) + lopside);
-    clusters_ += grown * inverse * inverse;
-    const double far = slopeDistance(v.distance, node.reach);
-    all_ += grown / (far * far);
+    const float inverse = 1 / v.least;
+    const float ratio = node.spread * inverse, square = ratio * ratio;
+    const float theta = std::min(0.9f, node.reach * inverse);
+    const float near = 1 / ((1 - theta) * (1 - theta));
+    const float lopside = 2 * node.lopside * inverse;
+    const double grown = weight * dark * node.power * (1 + square * (3 - 2 * theta) * near + lopside);
+    clusters_ += grown * (inverse * inverse);
+    const float far = 1 / slopeDistance(v.distance, node.reach);
+    all_ += grown * (far * far);
     // What a sum of 1/d^2 is at least: its second derivative is no less than -2/d^4.
-    const double near = (1 - theta) * (1 - theta);
-    const double far0 = v.distance + (q_.everywhere ? b_ : 0);
-    const double least = node.mean - node.power * (square / (near * near) + lopside);
-    mean_ += weight * dim.least * field_.mean * std::max(0.0, least) / (far0 * far0);
+    const float beyond = 1 / (v.distance + (q_.everywhere ? b_ : 0));
+    const float least = node.mean - node.power * (square * near * near + lopside);
+    mean_ += weight * dim.least * field_.mean * std::max(0.0f, least) * (beyond * beyond);
   }
 
   template <bool Dimmed>
@@ -227,11 +227,14 @@ class Query : BallQuery {
     if (slopes_) {
       const float sloped = errorOf(node, level, swing, v.distance, square + b_ * (b_ + 2 * node.lopside), b_);
       near = nearShare(sloped, (tau_ + slopeTau_) * entry.dark, v.distance, node.reach);
-      if (near < 1) bound_ += (1 - near) * sloped * power / (static_cast<double>(v.distance) * v.distance);
+      if (near < 1) {
+        const float far = 1 / v.distance;
+        bound_ += (1 - near) * sloped * power * (far * far);
+      }
     }
     if (near > 0) {
-      const float error = errorOf(node, level, swing, v.least, square, 0);
-      bound_ += near * error * power / (static_cast<double>(v.least) * v.least);
+      const float far = 1 / v.least;
+      bound_ += near * errorOf(node, level, swing, v.least, square, 0) * power * (far * far);
     }
     push(static_cast<std::uint32_t>(s_.slotOf.size() + at), weight * level, near);
     return closed;
@@ -262,8 +265,8 @@ class Query : BallQuery {
     if (slopes_ && !(dim.least < 1) && allowsSlopes(v.distance, light.reach)) {
       const float error = slopeError(v.distance, light.reach);
       near = nearShare(error, slopeTau_, v.distance, light.reach);
-      bound_ += static_cast<double>(entry.weight) * (1 - near) * error * light.power /
-                (static_cast<double>(v.distance) * v.distance);
+      const float far = 1 / v.distance;
+      bound_ += static_cast<double>(entry.weight) * (1 - near) * error * light.power * (far * far);
     }
     push(light.light, entry.weight, near);
   }

@@ -74,17 +74,17 @@ void expectBoundsHold(Kinds kinds, bool hard, int clouds, Tally& tally) {
 
 TEST(LightTree, BoundsOfPointsAndSpheresHold) {
   Tally tally;
-  expectBoundsHold(Kinds::plain, false, rounds(60, 1000), tally);
+  expectBoundsHold(Kinds::plain, false, rounds(30, 1000), tally);
 }
 
 TEST(LightTree, BoundsOfAllKindsHold) {
   Tally tally;
-  expectBoundsHold(Kinds::all, false, rounds(60, 1000), tally);
+  expectBoundsHold(Kinds::all, false, rounds(30, 1000), tally);
 }
 
 TEST(LightTree, BoundsOfHardLightsHold) {
   Tally tally;
-  expectBoundsHold(Kinds::all, true, rounds(60, 1000), tally);
+  expectBoundsHold(Kinds::all, true, rounds(30, 1000), tally);
 }
 
 }  // namespace
