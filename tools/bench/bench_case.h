@@ -39,4 +39,7 @@ void addBoundCases(std::vector<BenchCase>& cases);
 /// Disk lights, one and many points at a time, beside Wallace's approximation.
 void addDiskCases(std::vector<BenchCase>& cases);
 
+/// Objects in cities of many lamps; building and refitting the light tree.
+void addCrowdLightCases(std::vector<BenchCase>& cases);
+
 }  // namespace rigel::tools

@@ -143,6 +143,7 @@ std::vector<BenchCase> allCases() {
   addNearCases(cases);
   addBoundCases(cases);
   addDiskCases(cases);
+  addCrowdLightCases(cases);
   return cases;
 }
 
