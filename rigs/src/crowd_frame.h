@@ -33,8 +33,11 @@ struct Crowd<B>::State {
   void show(Task& task, const Block& block) noexcept;
 
   // Stages of `update`, for n characters.
+  void fetchAhead(Task& task, const Block* block) noexcept;
+  static const JointMatrix* paletteOf(const Population& population, const Character& character) noexcept;
   void pose(Task& task, const Block& block, Population& population) noexcept;
   void maskLights(Task& task, int n) noexcept;
+  void weighNear(Task& task, const Block& block, Population& population) noexcept;
   void weigh(Task& task, const Block& block, Population& population) noexcept;
   void project(Task& task, const Population& population, int n) noexcept;
   void placeResults(Task& task, const Block& block, Population& population) noexcept;
@@ -58,7 +61,7 @@ struct Crowd<B>::State {
   // Of the frame.
   CrowdOutput output;
   CrowdProbe probe;
-  std::atomic<std::size_t> next{0};
+  alignas(64) std::atomic<std::size_t> next{0};  // what all threads write shares no line with what they read
 };
 
 // Blocks of a frame.
@@ -99,8 +102,13 @@ CrowdStats Crowd<B>::State::frame(const CrowdLights& frameLights, float seconds,
 template <int B>
 void Crowd<B>::State::runBlocks(Task& task) noexcept {
   const std::span<const Block> blocks = schedule.blocks();
-  for (std::size_t i = next++; i < blocks.size(); i = next++)
+  for (std::size_t i = next++; i < blocks.size();) {
+    // One block is promised ahead, so that its palettes can be on their way.
+    const std::size_t after = next++;
+    fetchAhead(task, after < blocks.size() ? &blocks[after] : nullptr);
     blocks[i].update ? update(task, blocks[i]) : show(task, blocks[i]);
+    i = after;
+  }
 }
 
 // Updates.
@@ -115,7 +123,7 @@ void Crowd<B>::State::update(Task& task, const Block& block) noexcept {
   clock.done(CrowdStage::pose);
   if (kind.skinned()) {
     crowd::refreshOperators(n, kind.monomials(), kind.shares, task.positions.data(), task.places, task.normal.data(),
-                            task.op.data());
+                            task.op.data(), task.ahead);
     clock.done(CrowdStage::refresh);
   }
   weigh(task, block, population);
@@ -134,6 +142,25 @@ void Crowd<B>::State::update(Task& task, const Block& block) noexcept {
 }
 
 template <int B>
+void Crowd<B>::State::fetchAhead(Task& task, const Block* block) noexcept {
+  task.ahead.begin(nullptr, 0, {});
+  if (block == nullptr || !block->update) return;
+  Population& population = populations[block->population];
+  const JointMatrix* palettes[kBlock];
+  for (int c = 0; c < static_cast<int>(block->count); ++c)
+    palettes[c] = paletteOf(population, at(population, *block, c));
+  task.ahead.begin(palettes, static_cast<int>(block->count), population.data().readJoints);
+}
+
+/// The character's, or one at rest where it has not all joints.
+template <int B>
+const JointMatrix* Crowd<B>::State::paletteOf(const Population& population, const Character& character) noexcept {
+  const CrowdKind::Data& kind = population.data();
+  const std::span<const JointMatrix> palette = character.input.palette;
+  return palette.size() >= static_cast<std::size_t>(kind.joints) ? palette.data() : kind.restPalette.data();
+}
+
+template <int B>
 void Crowd<B>::State::pose(Task& task, const Block& block, Population& population) noexcept {
   const CrowdKind::Data& kind = population.data();
   const int n = static_cast<int>(block.count);
@@ -145,10 +172,7 @@ void Crowd<B>::State::pose(Task& task, const Block& block, Population& populatio
     const Vec3 columns[4] = {f.x, f.y, f.z, f.origin};
     for (int i = 0; i < 12; ++i) task.places.frame[i][c] = columns[i / 3][i % 3];
     task.groups[c] = character.input.groups;
-    const std::span<const JointMatrix> palette = character.input.palette;
-    const bool complete = palette.size() >= static_cast<std::size_t>(kind.joints);
-    palettes[c] = complete ? palette.data() : kind.restPalette.data();
-    character.usable = complete;
+    palettes[c] = paletteOf(population, character);
   }
   const float* positions = kind.restPositions.data();
   if (kind.skinned()) {
@@ -163,7 +187,8 @@ void Crowd<B>::State::pose(Task& task, const Block& block, Population& populatio
                       task.y.data(), task.z.data());
   for (int c = 0; c < n; ++c) {
     Character& character = at(population, block, c);
-    character.usable = character.usable && task.places.finite[c] == 0;
+    const bool complete = character.input.palette.size() >= static_cast<std::size_t>(kind.joints);
+    character.usable = complete && task.places.finite[c] == 0;
     if (!character.usable) ++task.stats.unusable;
   }
 }
@@ -174,10 +199,17 @@ void Crowd<B>::State::weigh(Task& task, const Block& block, Population& populati
   const CrowdKindOptions& options = population.data().options;
   const int n = static_cast<int>(block.count);
   task.shares.clear(block.count);
+  if (options.nearSlots > 0) weighNear(task, block, population);
+  // Last: what is masked is so for the rig at once, while what is near of it fades.
   maskLights(task, n);
-  if (options.nearSlots == 0) return;
+}
+
+template <int B>
+void Crowd<B>::State::weighNear(Task& task, const Block& block, Population& population) noexcept {
+  const CrowdKindOptions& options = population.data().options;
+  const int n = static_cast<int>(block.count);
   float* errors = task.errors.data();
-  crowd::rankLights(lights.ranks(), {&task.places, task.groups, n, population.data().degree}, errors);
+  crowd::rankLights(lights.ranks(), {&task.places, task.groups, n, population.data().degree}, errors, task.ahead);
   crowd::nthLargest(errors, lights.count(), n, options.nearSlots + 1, task.floors);
   for (int c = 0; c < n; ++c) task.floors[c] = std::max(task.floors[c], options.tolerance);
   crowd::findAbove(errors, lights.count(), n, task.floors, options.nearSlots, task.hits);

@@ -50,6 +50,9 @@ void CrowdKind::Data::addSkin(const CrowdShape& shape) {
     }
     first.push_back(static_cast<int>(joint.size()));
   }
+  readJoints = joint;
+  std::ranges::sort(readJoints);
+  readJoints.erase(std::ranges::unique(readJoints).begin(), readJoints.end());
   restPalette.resize(static_cast<std::size_t>(joints));
 }
 

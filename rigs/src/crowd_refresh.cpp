@@ -61,7 +61,7 @@ constexpr int kTile = 4;
 /// Columns s to s + Tile of the operator: forward and back substitution.
 template <int Tile>
 HWY_INLINE void solve(const Matrix& factor, const Matrix& scale, const Matrix& right, int functions, int points,
-                      const float* shares, int s, float* op) {
+                      const float* shares, int s, float* op, PaletteFetch& ahead) {
   const Tag tag;
   for (int k = 0; k < functions; ++k) {
     Vec v[Tile];
@@ -71,8 +71,10 @@ HWY_INLINE void solve(const Matrix& factor, const Matrix& scale, const Matrix& r
       for (int t = 0; t < Tile; ++t) v[t] = hn::NegMulAdd(l, right(j, s + t), v[t]);
     }
     for (int t = 0; t < Tile; ++t) right.set(k, s + t, hn::Mul(v[t], factor(k, k)));
+    ahead.step();
   }
   for (int k = functions - 1; k >= 0; --k) {
+    ahead.step();
     Vec v[Tile];
     for (int t = 0; t < Tile; ++t) v[t] = right(k, s + t);
     for (int j = k + 1; j < functions; ++j) {
@@ -91,7 +93,7 @@ HWY_INLINE void solve(const Matrix& factor, const Matrix& scale, const Matrix& r
 }
 
 void refreshLanes(const Monomials& monomials, std::span<const float> shares, const float* positions,
-                  const Places& places, int g, double* scratch, float* op) {
+                  const Places& places, int g, double* scratch, float* op, PaletteFetch& ahead) {
   const Tag tag;
   const int points = static_cast<int>(shares.size());
   const int functions = static_cast<int>(monomials.from.size());
@@ -125,6 +127,7 @@ void refreshLanes(const Monomials& monomials, std::span<const float> shares, con
       }
       if (s < points) even = hn::MulAdd(a(k, s), right(j, s), even);
       normal.set(k, j, hn::Add(even, odd));
+      ahead.step();
     }
     const Vec square = normal(k, k);
     const Vec one = hn::Set(tag, 1.0);
@@ -155,16 +158,17 @@ void refreshLanes(const Monomials& monomials, std::span<const float> shares, con
   }
 
   int s = 0;
-  for (; s + kTile <= points; s += kTile) solve<kTile>(normal, scale, right, functions, points, shares.data(), s, op);
-  for (; s < points; ++s) solve<1>(normal, scale, right, functions, points, shares.data(), s, op);
+  for (; s + kTile <= points; s += kTile)
+    solve<kTile>(normal, scale, right, functions, points, shares.data(), s, op, ahead);
+  for (; s < points; ++s) solve<1>(normal, scale, right, functions, points, shares.data(), s, op, ahead);
 }
 
 }  // namespace
 
 void refreshOperators(int characters, const Monomials& monomials, const float* shares, int samples,
-                      const float* positions, const Places& places, double* scratch, float* op) {
+                      const float* positions, const Places& places, double* scratch, float* op, PaletteFetch& ahead) {
   for (int g = 0; g < characters; g += kLanes)
-    refreshLanes(monomials, {shares, static_cast<std::size_t>(samples)}, positions, places, g, scratch, op + g);
+    refreshLanes(monomials, {shares, static_cast<std::size_t>(samples)}, positions, places, g, scratch, op + g, ahead);
 }
 
 }  // namespace rigel::crowd::HWY_NAMESPACE
@@ -182,9 +186,9 @@ std::size_t refreshScratch(int samples, int vectors) noexcept {
 }
 
 void refreshOperators(int characters, const Monomials& monomials, std::span<const float> shares, const float* positions,
-                      const Places& places, double* scratch, float* op) noexcept {
+                      const Places& places, double* scratch, float* op, PaletteFetch& ahead) noexcept {
   HWY_DYNAMIC_DISPATCH(refreshOperators)
-  (characters, monomials, shares.data(), static_cast<int>(shares.size()), positions, places, scratch, op);
+  (characters, monomials, shares.data(), static_cast<int>(shares.size()), positions, places, scratch, op, ahead);
 }
 
 }  // namespace rigel::crowd

@@ -44,6 +44,7 @@ struct Task {
   alignas(64) float placeRows[kPlaceRows * kBlock];
   alignas(64) float rigPlaces[kBlock][kPlaceRows];
   NearHits hits;
+  PaletteFetch ahead;
   float* coefficientsOf[kBlock];            // where each character's go
   AlignedArray<float> positions;            // as skinAnchors writes them
   AlignedArray<float> x, y, z, footprints;  // dense

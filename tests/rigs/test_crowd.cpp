@@ -384,6 +384,33 @@ TEST_F(CrowdHardCases, LightsOfOtherGroupsAreNotThere) {
   }
 }
 
+TEST_F(CrowdHardCases, AMaskedLightLeavesTheRigAtOnce) {
+  LightSet both, rest;
+  for (int i = 0; i < 4; ++i) {
+    const SphereLight lamp{{static_cast<float>(i) - 2, 1.5f, 0.3f}, 0.1f, {9, 9, 9}};
+    both.add(lamp, i == 1 ? 1 : 2);
+    if (i != 1) rest.add(lamp);
+  }
+  stage_.lights = both;
+  frame();
+  const CrowdId id = ids_[6];
+  ASSERT_GT(stage_.crowd.result(id).nearCount, 0);
+  stage_.crowd.input(id).groups = 2;
+  SingleBody<3> single("poly:6", body_);
+  for (int f = 0; f < 6; ++f) {
+    frame();
+    // What is near of the others is not in the rig; what is near of the masked light only fades.
+    std::vector<float> weights;
+    const std::vector<float> all = weightsOf<3>(stage_, id);
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (i != 1) weights.push_back(all[i]);
+    const CrowdInput& input = stage_.crowd.input(id);
+    single.fit(input.worldFromRig, input.palette, rest, weights);
+    const Vec3 at = input.worldFromRig.point(body_.posed(50, input.palette));
+    EXPECT_LT(distance<3>(stage_.evaluate(id, at), single.evaluate(at)), kAgreement * single.size()) << f;
+  }
+}
+
 TEST_F(CrowdHardCases, HalvesAreTheFloatsRounded) {
   onEveryTarget([&] { expectHalves(); });
 }

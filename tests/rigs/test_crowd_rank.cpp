@@ -32,13 +32,14 @@ class Ranked {
       places_.finite[c] = 0;
       groups_[c] = kAllLightGroups;
     }
-    crowd::rankLights(frame_.ranks(), {&places_, groups_, kBlock, degree}, errors_.data());
+    crowd::rankLights(frame_.ranks(), {&places_, groups_, kBlock, degree}, errors_.data(), ahead_);
   }
   float operator[](int light) const { return errors_.data()[light * kBlock]; }
   const float* data() const { return errors_.data(); }
 
  private:
   PreparedLights prepared_;
+  crowd::PaletteFetch ahead_;
   crowd::FrameLights frame_;
   AlignedArray<float> errors_;
   alignas(64) crowd::Places places_;
