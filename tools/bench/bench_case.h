@@ -18,8 +18,11 @@ struct BenchCase {
   double nanosecondsPerUnit = 1;
   std::string baseline;
   std::function<void(benchmark::State&)> body;
-  double flops = 0;  // floating-point operations an item, for its share of kPeakFigure; 0: none is given
+  double flops = 0;         // floating-point operations an item, for its share of kPeakFigure; 0: none is given
+  bool manualTime = false;  // the body says what counts (SetIterationTime), kManualIterations times a repetition
 };
+
+inline constexpr int kManualIterations = 40;
 
 /// What the machine's multiply-adds take at best.
 inline constexpr const char* kPeakFigure = "limit.fma";
@@ -35,6 +38,9 @@ void addProjectionCases(std::vector<BenchCase>& cases);
 
 /// Bounds of lights' errors: made for a rig in a pose, and asked about a light.
 void addBoundCases(std::vector<BenchCase>& cases);
+
+/// Whole frames of crowds, their stages, and how they scale.
+void addCrowdCases(std::vector<BenchCase>& cases);
 
 /// Disk lights, one and many points at a time, beside Wallace's approximation.
 void addDiskCases(std::vector<BenchCase>& cases);

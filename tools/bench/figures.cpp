@@ -13,6 +13,7 @@
 #include <memory>
 #include <random>
 #include <regex>
+#include <set>
 
 namespace rigel::tools {
 namespace {
@@ -143,19 +144,25 @@ std::vector<BenchCase> allCases() {
   addNearCases(cases);
   addBoundCases(cases);
   addDiskCases(cases);
+  addCrowdCases(cases);
   addCrowdLightCases(cases);
   return cases;
 }
 
-/// Keeps the CPU times an iteration [ns] of every benchmark; prints nothing.
+/// Keeps the CPU times an iteration [ns] of every benchmark, or what it says itself; prints nothing.
 class TimesReporter final : public benchmark::BenchmarkReporter {
  public:
+  explicit TimesReporter(const std::vector<BenchCase>& cases) {
+    for (const BenchCase& c : cases)
+      if (c.manualTime) manual_.insert(c.name);
+  }
   bool ReportContext(const Context&) override { return true; }
   void ReportRuns(const std::vector<Run>& runs) override {
     for (const Run& run : runs) {
       if (run.run_type != Run::RT_Iteration) continue;
-      const double time = run.GetAdjustedCPUTime() * 1e9 / benchmark::GetTimeUnitMultiplier(run.time_unit);
-      nanoseconds_[run.run_name.function_name].push_back(time);
+      const std::string& name = run.run_name.function_name;
+      const double time = manual_.contains(name) ? run.GetAdjustedRealTime() : run.GetAdjustedCPUTime();
+      nanoseconds_[name].push_back(time * 1e9 / benchmark::GetTimeUnitMultiplier(run.time_unit));
     }
   }
   /// The least, which other load disturbs least.
@@ -167,6 +174,7 @@ class TimesReporter final : public benchmark::BenchmarkReporter {
   }
 
  private:
+  std::set<std::string> manual_;
   std::map<std::string, std::vector<double>> nanoseconds_;
 };
 
@@ -203,15 +211,17 @@ Result<std::vector<Figure>> measureFigures(const std::string& filter, int repeti
   if (!any) return Error{"matches no figure", "--filter " + filter};
 
   benchmark::ClearRegisteredBenchmarks();
-  for (const BenchCase& c : cases)
-    if (selected.contains(c.name))
-      benchmark::RegisterBenchmark(c.name.c_str(), c.body)->Repetitions(repetitions)->MinTime(0.05);
+  for (const BenchCase& c : cases) {
+    if (!selected.contains(c.name)) continue;
+    auto* registered = benchmark::RegisterBenchmark(c.name.c_str(), c.body)->Repetitions(repetitions);
+    c.manualTime ? registered->UseManualTime()->Iterations(kManualIterations) : registered->MinTime(0.05);
+  }
   // Interleaved repetitions: a burst of other load hits figure and baseline alike.
   std::string arguments[] = {"rigel", "--benchmark_enable_random_interleaving=true"};
   char* argv[] = {arguments[0].data(), arguments[1].data()};
   int argc = 2;
   benchmark::Initialize(&argc, argv);
-  TimesReporter reporter;
+  TimesReporter reporter(cases);
   benchmark::RunSpecifiedBenchmarks(&reporter, ".*");
 
   std::map<std::string, double> perItem;
