@@ -10,9 +10,9 @@ namespace {
 
 constexpr float kPiF = 3.14159265f;
 
-// A sphere's SH differ from those of a point of equal power by less than this times N P r^2/d^4 for d >= 2r, as lights
-// spread over a second moment of a third of it would, at least (test_light_tree_bound.cpp: 0.255).
-constexpr float kSphereMoment = 0.28f / 3;
+// A sphere's SH differ from those of a point of equal power by less than 0.3 N P r^2/d^4 for d >= 2r (0.282 at wrap
+// -0.25, test_light_tree.cpp), as lights spread over this second moment, times r^2, would at least: S G is 3 S or more.
+constexpr float kSphereMoment = 0.3f / 3;
 
 constexpr float kFarthest = 1e15f;  // m; squares of distances stay finite
 constexpr float kBrightest = 1e20f;

@@ -72,6 +72,60 @@ void expectBoundsHold(Kinds kinds, bool hard, int clouds, Tally& tally) {
       tally.clusters);
 }
 
+/// RMS over the normals of bands of irradiance.
+double rms(double e0, double e1, double e2) { return std::sqrt(e0 * e0 + e1 * e1 / 3 + e2 * e2 / 5); }
+
+/// Irradiance at the origin from a point of power 1 at p, towards the normal n.
+double pointIrradiance(const std::array<float, 3>& f, const std::array<double, 3>& p, const std::array<double, 3>& n) {
+  const double d2 = p[0] * p[0] + p[1] * p[1] + p[2] * p[2];
+  const double x = (p[0] * n[0] + p[1] * n[1] + p[2] * n[2]) / std::sqrt(d2);
+  return (0.25 * f[0] + 0.75 * f[1] * x + 1.25 * f[2] * (1.5 * x * x - 0.5)) / d2;
+}
+
+// What the bound is made of: kSphereMoment of light_tree_source.cpp, and 6 N/d^4.
+TEST(LightTree, SpheresDifferFromPointsAsTheirMomentSays) {
+  double worst = 0;
+  for (const float wrap : {-0.25f, 0.0f, 0.5f, 1.0f}) {
+    const std::array<float, 3> f = wrapCoefficients<3>(wrap);
+    const double point = rms(0.25 * f[0], 0.75 * f[1], 1.25 * f[2]);
+    for (int i = 1; i <= 50; ++i) {
+      const double sine = 0.01 * i, c = std::sqrt(1 - sine * sine);
+      const double error = rms(0.5 * f[0] * (1 / (1 + c) - 0.5), 0, 1.25 * f[2] * (c - 1));
+      worst = std::max(worst, error / (sine * sine * point));
+    }
+  }
+  EXPECT_LT(worst, 0.3);
+  EXPECT_GT(worst, 0.2);
+}
+
+TEST(LightTree, LightBendsBySixRadiallyAtMost) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (const float wrap : {-0.25f, 0.0f, 0.5f, 1.0f}) {
+    const std::array<float, 3> f = wrapCoefficients<3>(wrap);
+    const double point = rms(0.25 * f[0], 0.75 * f[1], 1.25 * f[2]), peak = 0.25 * f[0] + 0.75 * f[1] + 1.25 * f[2];
+    double bent = 0, bentPeak = 0;
+    for (int k = 0; k <= 90; ++k) {
+      const double angle = k * M_PI / 180, h = 1e-3;
+      const auto at = [&](double s) { return std::array<double, 3>{s * std::sin(angle), 0, 1 + s * std::cos(angle)}; };
+      double square = 0;
+      constexpr int kNormals = 400;
+      for (int i = 0; i < kNormals; ++i) {
+        const double z = 1 - (2 * i + 1.0) / kNormals, phi = i * 2.399963229728653, s = std::sqrt(1 - z * z);
+        const std::array<double, 3> n{s * std::cos(phi), s * std::sin(phi), z};
+        const double second =
+            (pointIrradiance(f, at(h), n) - 2 * pointIrradiance(f, at(0), n) + pointIrradiance(f, at(-h), n)) / (h * h);
+        square += second * second / kNormals;
+        bentPeak = std::max(bentPeak, std::abs(second));
+      }
+      bent = std::max(bent, std::sqrt(square));
+    }
+    // Finite differences and the normals' grid.
+    EXPECT_NEAR(bent / point, 6, 0.01) << wrap;
+    EXPECT_LT(bentPeak / peak, 6.001) << wrap;
+  }
+}
+
 TEST(LightTree, BoundsOfPointsAndSpheresHold) {
   Tally tally;
   expectBoundsHold(Kinds::plain, false, rounds(30, 1000), tally);
