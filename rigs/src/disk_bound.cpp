@@ -9,7 +9,6 @@
 
 #include "disk_field.h"
 #include "interpolation_bound.h"
-#include "probed_error.h"
 #include "sample_bound.h"
 #include "value_range.h"
 
@@ -173,15 +172,6 @@ class DiskBound {
     return secantReach(plan_, field_.area() * third * mean.fourth / nearest, second) + creaseError(jump, mean);
   }
 
-  /// In the rig frame.
-  DiskLight disk() const noexcept {
-    const auto inFloat = [](const Triple& v) {
-      return Vec3{static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
-    };
-    return {
-        inFloat(place_.position), inFloat(axis_), static_cast<float>(field_.radius()), {1, 1, 1}, field_.twoSided()};
-  }
-
   double sampleError() noexcept {
     // As strong as the disk, and around it.
     const LightField sphere(wrap_, field_.area(), field_.radius());
@@ -194,27 +184,15 @@ class DiskBound {
     const double span = difference(light(field_.vector(served_)), blended(light(boxVector), plan_.lebesgue));
     const double cap =
         std::min(span + plan_.offset * peak + enlarged, field_.perVector() * field_.vector(served_) + bound.cap);
-    const double strength = field_.lobeStrength(served_.cosine);
-    double error = strength * bound.smooth + enlarged;
-    double crease = 0;
+    double error = field_.lobeStrength(served_.cosine) * bound.smooth + enlarged;
     if (straddles()) {
       const double sag = -served_.low * served_.high / (served_.high - served_.low) / 2;
       const double cube = means(served_.front[0]).cube;
       if (!(cube < kInfinite)) return cap;
-      crease = (1 + plan_.lebesgue) * sag * field_.kink() * cube;
+      error += (1 + plan_.lebesgue) * sag * field_.kink() * cube;
     }
     if (!plan_.polynomial) error += (1 + plan_.lebesgue) * corners;
-    const double known = std::min(error + crease, cap);
-    // A face may pass through samples, which take it to be as large as their footprints.
-    constexpr double kLeap = 0.25;
-    const double reach = std::max<double>(field_.radius(), samples_.footprint);
-    const double gap = served_.gap - (reach - field_.radius());
-    const double apart = std::max({0.0, gap, bound.near - reach});
-    const LightNearby nearby{field_.perVector() * field_.vector(served_), apart,
-                             std::max(0.0, 1 - apart / (kLeap * reach))};
-    const double seen =
-        probedBound(plan_, samples_, strength * bound.tail, probed(samples_, wrap_, disk()), nearby, known);
-    return std::min(seen + crease, known);
+    return std::min(error, cap);
   }
 
   // What a disk loses by being as large as a footprint f, per its peak and (f / distance)^2.

@@ -27,7 +27,6 @@ class DiskField {
   DiskField(const WrapField& wrap, double radius, bool twoSided) noexcept;
 
   double radius() const noexcept { return radius_; }
-  bool twoSided() const noexcept { return twoSided_; }
   double area() const noexcept { return kPi * radius_ * radius_; }
 
   /// Largest V over the region, or more; falls to 0 behind the disk.

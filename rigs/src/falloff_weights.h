@@ -10,7 +10,6 @@
 
 #include <rigel/light_bound.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -45,15 +44,6 @@ class FalloffWeights {
       if (!matters(part)) continue;
       for (const double side : {-0.5, 0.5}) stack[waiting++] = halved(part, side);
     }
-  }
-
-  /// q at a point over the least that it is in the cell, or more.
-  double fall(const std::array<double, 3>& u, const WeightCell& cell) const noexcept {
-    double least = q(u);
-    divide(
-        cell, [](const WeightCell&) { return true; },
-        [&](const WeightCell& part) { least = std::min(least, leastOver(part)); });
-    return q(u) / least;
   }
 
   /// Polynomials: coefficients of `monomials` (with every divisor of each), a row of `columns` a monomial.

@@ -16,7 +16,6 @@
 #include "cone_sweep.h"
 #include "interpolation_bound.h"
 #include "modulation_bound.h"
-#include "probed_error.h"
 #include "sample_bound.h"
 #include "value_range.h"
 
@@ -176,9 +175,7 @@ class Bound {
         difference(light(field_.peak(near_)), blended(light(boxPeak), plan_.lebesgue)) + plan_.offset * boxPeak;
     const double peak = field_.peak(std::max(lit, near_));
     const double cap = std::min(span, peak + bound.cap);
-    const LightNearby nearby{field_.peak(near_), std::max(0.0, bound.near - field_.radius())};
-    const double plain = probedBound(plan_, samples_, bound.tail, probed(samples_, wrap_, field_, position_), nearby,
-                                     std::min(bound.error, cap));
+    const double plain = std::min(bound.error, cap);
     if (!(m.least < 1)) return plain;
     return std::min(m.most * plain + std::min((m.most - m.least) * cap, linearVariation(m)), m.most * cap);
   }

@@ -96,17 +96,14 @@ SampleBound sampleBound(const BoundPlan& plan, const SamplePlan& samples, const 
     for (int m = 1; m < samples.degree; ++m) single[a][m] = strength[a][m] - strength[a][m + 1];
     single[a][samples.degree] = strength[a][samples.degree];
   }
-  float sum = 0, tail = 0;
+  float sum = 0;
   for (int i = 0; i < samples.terms; ++i) {
     const SamplePlan::Term& term = samples.term[i];
     const auto& table = term.single ? single : strength;
-    const float error = term.factor * table[0][term.degree[0]] * table[1][term.degree[1]] * table[2][term.degree[2]];
-    sum += error;
-    if (!term.single) tail += error;
+    sum += term.factor * table[0][term.degree[0]] * table[1][term.degree[1]] * table[2][term.degree[2]];
   }
   out.enlarged = power * sumShare;
   out.smooth = static_cast<double>(sum) * field.peak(box);
-  if (plan.polynomial && !plan.falloff) out.tail = static_cast<double>(tail) * field.peak(box);
   out.error += out.smooth;
   if (!plan.polynomial) out.error += (1 + plan.lebesgue) * boxError;
   return out;

@@ -3,16 +3,12 @@
 
 #include "light_field.h"
 
-#include <limits>
-
 namespace rigel {
 
 struct SampleBound {
-  double near = 0;    // distance to the nearest point served, or less
-  double error = 0;   // of footprints and of the distance between light and span, times the rig's own amplification
-  double smooth = 0;  // its part without footprints and `boxError`
-  double tail = std::numeric_limits<double>::infinity();  // of `smooth`, of degrees that are not watched; infinite for
-                                                          // rigs that span no polynomials
+  double near = 0;      // distance to the nearest point served, or less
+  double error = 0;     // of footprints and of the distance between light and span, times the rig's own amplification
+  double smooth = 0;    // its part without footprints and `boxError`
   double enlarged = 0;  // sum of weights times power / distance^4 times (footprint^2 - radius^2)
   double cap = 0;       // largest value of the rig
 };

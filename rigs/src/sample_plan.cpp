@@ -70,7 +70,6 @@ void SamplePlanner::readSpan(BoundPlan& plan) noexcept {
   const RigSpec& spec = rig_.spec();
   if (spec.family == RigSpec::Family::poly) {
     plan.polynomial = true;
-    plan.falloff = spec.falloff;
     if (spec.falloff) {
       // It spans 1/q times these; what it makes of linear light tells how far it is from that.
       const auto& model = static_cast<const Rig::PolyModel&>(*rig_.model_);
@@ -119,7 +118,6 @@ void SamplePlanner::readSpan(BoundPlan& plan) noexcept {
 void SamplePlanner::probe(Vec3 p, SamplePlan& samples) noexcept {
   RigBasis basis;
   rig_.basis(p, basis);
-  look(p, basis, samples);
   const SparseOperator& op = rig_.model_->op;
   std::array<float, kMax> weight{};
   for (int j = 0; j < basis.count; ++j) {
@@ -146,35 +144,6 @@ void SamplePlanner::probe(Vec3 p, SamplePlan& samples) noexcept {
   for (int i = 0; i < samples.samples; ++i)
     for (int t = 0; t < watched_; ++t) rest[t] += weight[i] * atSample_[i][t];
   for (int t = 0; t < watched_; ++t) defect_[t] = std::max(defect_[t], std::abs(rest[t]));
-}
-
-void SamplePlanner::look(Vec3 p, const RigBasis& basis, SamplePlan& samples) const noexcept {
-  if (samples.vectors == 0 || samples.probed == SamplePlan::kMaxProbed) return;
-  const int j = samples.probed++;
-  samples.looked.x[j] = p.x;
-  samples.looked.y[j] = p.y;
-  samples.looked.z[j] = p.z;
-  samples.looked.footprint[j] = 0;
-  samples.doubt[j] = 1;
-  for (int k = 0; k < samples.vectors; ++k) samples.basis[k][j] = 0;
-  for (int b = 0; b < basis.count; ++b) samples.basis[basis.index[b]][j] = basis.value[b];
-}
-
-void SamplePlanner::readOperator(SamplePlan& samples) const noexcept {
-  // A falloff is known only where all cells are.
-  const bool all = samples.samples + samples.probes <= SamplePlan::kMaxProbed;
-  if (rig_.shVectors() > SamplePlan::kMaxVectors || (rig_.spec().falloff && !all)) return;
-  samples.vectors = rig_.shVectors();
-  const SparseOperator& op = rig_.model_->op;
-  for (int s = 0; s < samples.samples; ++s) {
-    samples.fitted.x[s] = samples.sample[s].x;
-    samples.fitted.y[s] = samples.sample[s].y;
-    samples.fitted.z[s] = samples.sample[s].z;
-    samples.fitted.footprint[s] = samples.sample[s].footprint;
-    samples.fit[s].fill(0);
-  }
-  for (int k = 0; k < samples.vectors; ++k)
-    for (int e = op.rowStart[k]; e < op.rowStart[k + 1]; ++e) samples.fit[op.column[e]][k] += op.weight[e];
 }
 
 void SamplePlanner::valuesAt(const std::array<float, 3>& p, Values& out) const noexcept {
@@ -270,21 +239,14 @@ void SamplePlanner::coverFalloff(SamplePlan& samples) noexcept {
   std::array<double, kLinear> defect{};
   const auto cover = [&](const std::array<float, 3>& p) {
     WeightCell cell;
-    std::array<double, 3> here;
     for (int a = 0; a < 3; ++a) {
       const double u = (static_cast<double>(p[a]) - centre_[a]) * inverseHalf_[a];
-      here[a] = u;
       const double reach = static_cast<double>(samples.cover) * inverseHalf_[a];
       const double lo = std::clamp(u - reach, -1.0, 1.0);
       const double hi = std::clamp(u + reach, -1.0, 1.0);
       cell.centre[a] = (lo + hi) / 2;
       cell.half[a] = (hi - lo) / 2;
     }
-    RigBasis basis;
-    const Vec3 at{p[0], p[1], p[2]};
-    rig_.basis(at, basis);
-    look(at, basis, samples);
-    if (samples.probed > 0) samples.doubt[samples.probed - 1] = static_cast<float>(bounds.fall(here, cell));
     const auto matters = [&](const WeightCell& part) {
       std::array<float, kMax> raised = most;
       if (bounds.raise<float>(part, weights, raised) > lebesgue_ || raised != most) return true;
@@ -350,7 +312,6 @@ bool SamplePlanner::plan(BoundPlan& plan, SamplePlan& samples) noexcept {
     samples.footprint = std::max(samples.footprint, from[s].footprint);
   }
   if (!rig_.anchors().empty()) placeProbes(samples);
-  readOperator(samples);
   readSpan(plan);
   spanned_ = {watches(1, 0, 0), watches(0, 1, 0), watches(0, 0, 1)};
   plan.linear = spanned_[0] && spanned_[1] && spanned_[2] && !rig_.spec().falloff;

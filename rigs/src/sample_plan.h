@@ -27,8 +27,6 @@ class SamplePlanner {
   bool watches(int i, int j, int k) const noexcept;
   void watchBeyond() noexcept;
   void valuesAt(const std::array<float, 3>& p, Values& out) const noexcept;
-  void readOperator(detail::SamplePlan& samples) const noexcept;
-  void look(Vec3 p, const RigBasis& basis, detail::SamplePlan& samples) const noexcept;
   void probe(Vec3 p, detail::SamplePlan& samples) noexcept;
   void probeAll(detail::SamplePlan& samples) noexcept;
   int errorsOfLinear(const Falloff& falloff, std::span<Degrees> monomials,

@@ -5,7 +5,7 @@
 // extremes of their patches. Constant, gradient, lattice and mixed rigs: theorems (light_field.h, light_bound.cpp),
 // with a median of bound/true of 1.0 - 1.9 for point and sphere lights, 1.1 - 2.2 for disks (disk_bound.cpp). Poly,
 // @lsq and @gauss: the weights of the rig's own operator times Chebyshev coefficients of the light (sample_bound.cpp),
-// and what the rig leaves of the light at points (probed_error.cpp), 1.6 - 7, checked rather than proven. invquad: for the falloff the rig has when LightBounds is made (Rig::adapt); its
+// 2 - 16, checked rather than proven. invquad: for the falloff the rig has when LightBounds is made (Rig::adapt); its
 // weights are bounded by theorem (falloff_weights.h), which is loose. Figures: rigs/README.md.
 #pragma once
 
@@ -66,20 +66,6 @@ struct SamplePlan {
   std::array<std::array<float, 3>, kMaxProbes> probe;  // more points of the surface
   float cover = -1;     // m; no point served is farther from the nearest sample or probe; negative: the box is served
   float footprint = 0;  // largest
-
-  // Where the rig itself is asked about each light; none where that would be too much.
-  static constexpr int kMaxProbed = 192;
-  static constexpr int kMaxVectors = 24;
-  struct Points {
-    std::array<float, kMaxProbed> x, y, z, footprint;
-  };
-  int probed = 0;
-  int vectors = 0;
-  Points fitted, looked;  // samples, and where the rig is asked
-  /// How much larger than at a probe errors can be about it, as far as the rig's basis knows; 1 of polynomials.
-  std::array<float, kMaxProbed> doubt;
-  std::array<std::array<float, kMaxVectors>, kMaxSamples> fit;   // the operator, by samples
-  std::array<std::array<float, kMaxProbed>, kMaxVectors> basis;  // of the probed points
 };
 
 /// What the bounds need of a rig in a pose.
@@ -105,15 +91,14 @@ struct BoundPlan {
   bool constant = false;         // no slope, no lattice: one value
   bool linear = false;           // kind samples: spans linear functions
   bool polynomial = false;       // kind samples: spans polynomials; else what `axis` says
-  bool falloff = false;          // kind samples: polynomials over a falloff
 };
 
 }  // namespace detail
 
 /// The bounds of one rig in one pose. Made once a frame and object: 0.2 us, for poly, @lsq and @gauss 7 to 70 us (K 6
 /// to 20), for invquad 70 to 550 (the steeper its falloff, the more). A light costs 70 - 160 ns (spot 170 - 310, but 1
-/// to 2.5 us where it lights only a part of the object; disk 240 - 310), of poly, @lsq and @gauss 0.5 us (`poly:1`), 1.3
-/// (`poly:6`), 4 (`poly:20`), for the rig is asked at each of its points; a projection takes 42 - 66 ns. `rigel bench --filter bound` measures some. Nothing allocates.
+/// to 2.5 us where it lights only a part of the object; disk 240 - 310), of poly, @lsq and @gauss 230 - 500 (spot 330 -
+/// 600, disk 420 - 490); a projection takes 42 - 66. `rigel bench --filter bound` measures some. Nothing allocates.
 /// Results are finite, continuous in the light and in poses that are not exactly flat, and 0 for lights that hold a NaN
 /// or are infinitely far.
 class LightBounds {
