@@ -74,6 +74,11 @@ HWY_NOINLINE void weighWithCare(const PreparedLight& light, const PointLanes& po
   }
   for (std::size_t k = 0; k < kCount; ++k) {
     if (served[k] != 0) continue;
+    if (repeats(k, x, y, z)) {
+      for (int l = 0; l < B; ++l) plus[l][k] = plus[l][k - 1], excess[l][k] = excess[l][k - 1];
+      e[k] = e[k - 1], band0[k] = band0[k - 1];
+      continue;
+    }
     const detail::CarefulSlopes<B> one = detail::carefulSlopes<B>(light, {x[k], y[k], z[k]});
     for (int l = 0; l < B; ++l) plus[l][k] = one.plus[l], excess[l][k] = one.excess[l];
     e[k] = one.axial, band0[k] = one.axialBand0;
@@ -295,7 +300,7 @@ HWY_NOINLINE void finishSlopes(const RadianceSH<B>& everywhere, const SlopeSums<
   if (sums.anyExcess) addTerms<B>(kOfExcess, sums.numbers, slopes);
 }
 
-/// Disks, point by point; `out` holds `count` points of `vectors` full of rows.
+/// Disks, point by point.
 template <int B>
 HWY_NOINLINE void addDiskSlopes(const PreparedLights& lights, std::span<const LightUse> uses, const Tile& tile, int v,
                                 Lane* out) {
@@ -304,9 +309,10 @@ HWY_NOINLINE void addDiskSlopes(const PreparedLights& lights, std::span<const Li
     const float share = detail::heldShare(use.share);
     if (light.kind != PreparedKind::disk || !(share > 0)) continue;
     const DiskLight disk{light.position, light.axis, light.radius, light.colour, light.twoSided};
-    float one[4 * kValues<B>][Lane::kCount];
-    for (std::size_t k = 0; k < Lane::kCount; ++k) {
-      const std::size_t at = static_cast<std::size_t>(v) * Lane::kCount + k;
+    float one[4 * kValues<B>][Lane::kCount] = {};
+    const std::size_t begin = static_cast<std::size_t>(v) * Lane::kCount;
+    for (std::size_t k = 0; k < Lane::kCount && begin + k < tile.count; ++k) {
+      const std::size_t at = begin + k;
       const ProjectionWithGradient<B> both = projectWithGradient<B>(disk, {tile.x[at], tile.y[at], tile.z[at]});
       for (int i = 0; i < kValues<B>; ++i) {
         one[i][k] = both.value.data()[i];

@@ -225,6 +225,11 @@ HWY_INLINE void weighBasis(const SeenLanes& seen, const Put& put) {
   }
 }
 
+/// A point that is the one before once more: vectors are filled up so.
+HWY_INLINE bool repeats(std::size_t k, const float* x, const float* y, const float* z) {
+  return k > 0 && x[k] == x[k - 1] && y[k] == y[k - 1] && z[k] == z[k - 1];
+}
+
 /// What the lanes see that float does not serve, one by one in double.
 HWY_NOINLINE inline void seeWithCare(const detail::PreparedLight& light, const PointLanes& points, Lane isServed,
                                      SeenLanes& seen) {
@@ -236,6 +241,11 @@ HWY_NOINLINE inline void seeWithCare(const detail::PreparedLight& light, const P
   isServed.store(served);
   for (std::size_t k = 0; k < Lane::kCount; ++k) {
     if (served[k] != 0) continue;
+    if (repeats(k, x, y, z) && footprint[k] == footprint[k - 1]) {
+      wx[k] = wx[k - 1], wy[k] = wy[k - 1], wz[k] = wz[k - 1];
+      c[k] = c[k - 1], band0[k] = band0[k - 1], e[k] = e[k - 1];
+      continue;
+    }
     const detail::CarefulTerm term = detail::carefulTerm(light, {x[k], y[k], z[k]}, footprint[k]);
     wx[k] = term.w.x, wy[k] = term.w.y, wz[k] = term.w.z;
     c[k] = term.c, band0[k] = term.band0, e[k] = term.e;

@@ -99,8 +99,17 @@ struct ObjectLighting<B>::State {
     }
   }
 
+  /// All of these lights into the rig's functionals.
+  void project(const LightSet& lights) {
+    prepared.set(lights);
+    for (auto i = static_cast<std::uint32_t>(uses.size()); i < static_cast<std::uint32_t>(lights.size()); ++i)
+      uses.push_back({i, 1});
+    projectSamples<B>(rig, frame, prepared, std::span(uses).first(static_cast<std::size_t>(lights.size())),
+                      functionals);
+  }
+
   void fitFar(const LightSet& far, LightingProbe probe) {
-    projectSamples<B>(rig, frame, far, functionals);
+    project(far);
     lighting::finish(probe, LightingStage::project);
     adaptRig<B>(rig, functionals);
     fitRig<B>(rig, functionals, coefficients);
@@ -196,7 +205,7 @@ struct ObjectLighting<B>::State {
 
   void describeLights(const LightSet& lights) {
     if (rig.spec().falloff) {  // what one light adds is judged under the falloff of all
-      projectSamples<B>(rig, frame, lights, functionals);
+      project(lights);
       adaptRig<B>(rig, functionals);
     }
     means.assign(lights.size(), 0);
@@ -229,7 +238,9 @@ struct ObjectLighting<B>::State {
     choice.weights.reserve(most);
     costing.weights.reserve(most);
     farLights.reserve(count);
+    prepared.reserve(count);
     some.reserve(count);
+    check.reserve(count);
     near.reserve(std::min(count, slots));
   }
 
@@ -358,6 +369,8 @@ struct ObjectLighting<B>::State {
   std::vector<float> candidateWeights;
 
   LightSet some, farLights;
+  PreparedLights prepared;
+  std::vector<LightUse> uses;  // all of what is prepared
   FarError farError;
   std::vector<float> coefficientWeights;
   std::vector<RadianceSH<B>> functionals, coefficients;

@@ -68,6 +68,23 @@ SurfaceCheck<B>::SurfaceCheck(const Rig& rig, const RigShape& rest, float wrap, 
   if (own_ && !nested_)
     rows.inflation = inflation(static_cast<float>(points_.size()), static_cast<float>(rig.shVectors()));
   setUpScales(wrap, truncation);
+  setUpRows();
+}
+
+template <int B>
+void SurfaceCheck<B>::setUpRows() {
+  whole_ = static_cast<std::size_t>(rows.truncatedRows);
+  const std::size_t count = points_.size();
+  for (auto* row : {&x_, &y_, &z_, &footprints_}) row->resize(count);
+  rowOf_.resize(count);
+  std::size_t others = whole_;
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool isWhole = whole_ > 0 && i % kTruncationEvery == 0;
+    rowOf_[i] = isWhole ? i / kTruncationEvery : others++;
+    footprints_[rowOf_[i]] = points_[i].footprint;
+  }
+  sums_.resize(kWidth * count);
+  wholeSums_.resize(3 * shCount(kMaxBands) * whole_);
 }
 
 /// Factors from SH coefficients to RMS irradiance: E(n) = pi sum f_l L_lm Y_lm(n) has the mean square
@@ -111,7 +128,12 @@ template <int B>
 void SurfaceCheck<B>::setPose(const Rig& rig, std::span<const Vec3> anchors, const RigFrame& worldFromRig) noexcept {
   frame_ = worldFromRig;
   const auto posed = anchors.last(points_.size());
-  for (std::size_t i = 0; i < points_.size(); ++i) points_[i].position = frame_.point(posed[i]);
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const Vec3 p = points_[i].position = frame_.point(posed[i]);
+    x_[rowOf_[i]] = p.x;
+    y_[rowOf_[i]] = p.y;
+    z_[rowOf_[i]] = p.z;
+  }
   if (!nested_) return;
   RigBasis phi;
   for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -124,30 +146,46 @@ void SurfaceCheck<B>::setPose(const Rig& rig, std::span<const Vec3> anchors, con
 }
 
 template <int B>
+void SurfaceCheck<B>::reserve(int lights) {
+  prepared_.reserve(lights);
+  uses_.reserve(static_cast<std::size_t>(lights));
+}
+
+/// Fills the sums: B bands at all points, and all bands at those where they are wanted.
+template <int B>
+void SurfaceCheck<B>::projectAtPoints(const LightSet& lights) {
+  prepared_.set(lights);
+  const auto count = static_cast<std::size_t>(lights.size());
+  for (auto i = static_cast<std::uint32_t>(uses_.size()); i < count; ++i) uses_.push_back({i, 1});
+  const std::span<const LightUse> uses(uses_.data(), count);
+  projectBatch<B>(prepared_, uses, {x_, y_, z_}, footprints_, sums_);
+  if (whole_ == 0) return;
+  const auto first = [&](const std::vector<float>& row) { return std::span<const float>(row).first(whole_); };
+  projectBatch<kMaxBands>(prepared_, uses, {first(x_), first(y_), first(z_)}, first(footprints_), wholeSums_);
+}
+
+template <int B>
 float SurfaceCheck<B>::describe(const LightSet& lights, Rig& rig, int index) {
   float* block = rows.fields.data() + static_cast<std::size_t>(index) * rows.block();
   float* residuals = block + static_cast<std::size_t>(rows.nested) * kWidth;
   float* truncated = rows.truncation.data() + static_cast<std::size_t>(index) * rows.truncated;
+  projectAtPoints(lights);
+  for (std::size_t s = 0; s < whole_; ++s) {
+    const float* from = wholeSums_.data() + 3 * shCount(kFirstTruncated) * whole_ + s;
+    for (int i = 0; i < kTruncatedWidth; ++i)
+      *truncated++ = truncationScale_[i] * from[static_cast<std::size_t>(i) * whole_];
+  }
   float mean = 0;
   for (std::size_t s = 0; s < points_.size(); ++s) {
-    const Point& point = points_[s];
-    RadianceSH<B> sh;
-    if (rows.truncated > 0 && s % kTruncationEvery == 0) {
-      const RadianceSH<kMaxBands> all = project<kMaxBands>(lights, point.position, point.footprint);
-      std::copy_n(all.c.begin(), shCount(B), sh.c.begin());
-      const float* from = all.data() + 3 * shCount(kFirstTruncated);
-      for (int i = 0; i < kTruncatedWidth; ++i) *truncated++ = truncationScale_[i] * from[i];
-    } else {
-      sh = project<B>(lights, point.position, point.footprint);
-    }
-    mean += point.share * (sh[0].r + sh[0].g + sh[0].b);
-    const float root = std::sqrt(point.share);
-    for (int i = 0; i < kWidth; ++i) values_[s * kWidth + i] = root * sh.data()[i];
+    const float* from = sums_.data() + rowOf_[s];
+    mean += points_[s].share * (from[0] + from[points_.size()] + from[2 * points_.size()]);
+    const float root = std::sqrt(points_[s].share);
+    for (std::size_t i = 0; i < kWidth; ++i) values_[s * kWidth + i] = root * from[i * points_.size()];
   }
   if (nested_) {
     nested_->analyse(values_.data(), kWidth, block, residuals);
   } else {
-    subtractRig(lights, rig, residuals);
+    subtractRig(rig, residuals);
   }
   rows.excess[index] = 0;
   for (int i = 0; i < lights.size(); ++i)
@@ -156,8 +194,9 @@ float SurfaceCheck<B>::describe(const LightSet& lights, Rig& rig, int index) {
 }
 
 template <int B>
-void SurfaceCheck<B>::subtractRig(const LightSet& lights, Rig& rig, float* residuals) {
-  projectSamples<B>(rig, frame_, lights, functionals_);
+void SurfaceCheck<B>::subtractRig(Rig& rig, float* residuals) {
+  projectSamples<B>(rig, frame_, prepared_, std::span(uses_).first(static_cast<std::size_t>(prepared_.size())),
+                    functionals_);
   fitRig<B>(rig, functionals_, coefficients_);
   for (std::size_t s = 0; s < points_.size(); ++s) {
     const RadianceSH<B> sh = evaluateRig<B>(rig, coefficients_, frame_.inversePoint(points_[s].position));

@@ -25,6 +25,9 @@ class SurfaceCheck {
   /// `rig` is in the pose already; `anchors` are its own, then the extra ones, in the rig frame.
   void setPose(const Rig& rig, std::span<const Vec3> anchors, const RigFrame& worldFromRig) noexcept;
 
+  /// Room for so many lights at once.
+  void reserve(int lights);
+
   /// Writes block `index` of `rows` for one light, or a set of them. Returns its mean irradiance [W/m2] over the
   /// surface, the sphere of normals and the channels.
   float describe(const LightSet& lights, Rig& rig, int index);
@@ -61,7 +64,9 @@ class SurfaceCheck {
   };
 
   void setUpScales(float wrap, bool truncation);
-  void subtractRig(const LightSet& lights, Rig& rig, float* residuals);
+  void setUpRows();
+  void projectAtPoints(const LightSet& lights);
+  void subtractRig(Rig& rig, float* residuals);
   template <class Light>
   float excessOf(const Light& light) const noexcept;
 
@@ -73,7 +78,13 @@ class SurfaceCheck {
   RigFrame frame_;
   float meanPerL00_ = 0;
   std::vector<float> truncationScale_;
-  std::vector<float> values_;  // SH times sqrt(share): points x width
+  std::vector<float> values_;                  // SH times sqrt(share): points x width
+  std::vector<float> x_, y_, z_, footprints_;  // of the points, those with all bands first
+  std::vector<std::size_t> rowOf_;             // of each point among these
+  std::size_t whole_ = 0;                      // points with all bands
+  PreparedLights prepared_;
+  std::vector<LightUse> uses_;
+  std::vector<float> sums_, wholeSums_;  // rows of points, rows of whole_ points
   std::vector<RadianceSH<B>> functionals_, coefficients_;
 };
 

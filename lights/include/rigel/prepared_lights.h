@@ -46,6 +46,8 @@ class PreparedLights {
   /// One more, beyond those of the set, until the next `set`; its index. Allocates only while their number grows.
   std::uint32_t add(const SphereLight& light);
 
+  void reserve(int count) { lights_.reserve(static_cast<std::size_t>(count)); }
+
   int size() const noexcept { return static_cast<int>(lights_.size()); }
 
   /// Internal.
