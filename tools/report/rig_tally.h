@@ -39,7 +39,7 @@ class RigTally {
 
  private:
   struct Frame {
-    std::optional<double> halfSquares;            // of what half floats change
+    std::optional<double> halfSquares;  // of what half floats change
     FrameErrors errors;
     std::optional<float> estimate, totalEstimate, granted;
     std::optional<double> jump;
