@@ -175,7 +175,11 @@ void addProjectionCases(std::vector<BenchCase>& cases) {
                                                   {"windowed_point", Lights::windowedPoint},
                                                   {"spot", Lights::spot},
                                                   {"directional", Lights::directional}};
-  for (const auto& [name, kind] : kinds) addBatch(cases, std::make_shared<Batch>(kind, 64), name, "project.sphere.n64");
+  for (const auto& [name, kind] : kinds) {
+    const auto batch = std::make_shared<Batch>(kind, 64);
+    addBatch(cases, batch, "project." + std::string(name) + ".n64", "project.sphere.n64");
+    addGradient(cases, batch, "project." + std::string(name) + "_gradient.n64", "project.sphere_gradient.n64");
+  }
 }
 
 }  // namespace rigel::tools
