@@ -169,12 +169,12 @@ class Query : BallQuery {
   void addCluster(const TreeNode& node, const View& v, const DimmingRange& dim, double weight, float dark) noexcept {
     const float inverse = 1 / v.least;
     const float ratio = node.spread * inverse, square = ratio * ratio;
-    const float theta = std::min(0.9f, node.reach * inverse);
+    const float theta = std::min(0.99999f, node.reach * inverse);
     const float near = 1 / ((1 - theta) * (1 - theta));
     const float lopside = 2 * node.lopside * inverse;
     const double grown = weight * dark * node.power * (1 + square * (3 - 2 * theta) * near + lopside);
     clusters_ += grown * (inverse * inverse);
-    const float far = 1 / slopeDistance(v.distance, node.reach);
+    const float far = 1 / slopeDistance(v.distance, 0);
     all_ += grown * (far * far);
     // What a sum of 1/d^2 is at least: its second derivative is no less than -2/d^4.
     const float beyond = 1 / (v.distance + (q_.everywhere ? b_ : 0));
