@@ -97,8 +97,8 @@ TEST(DiskMethods, AreASectionOfAReportWithDisks) {
   EXPECT_THAT(scene.effects, testing::Contains("light.disk"));
 }
 
-LightUse lightUse(const std::string& name, const std::string& type, std::vector<LightRole> roles) {
-  LightUse use;
+LightReport lightUse(const std::string& name, const std::string& type, std::vector<LightRole> roles) {
+  LightReport use;
   use.name = name;
   use.type = type;
   use.why = "why of " + name;

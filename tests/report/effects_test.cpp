@@ -10,7 +10,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 
 ObjectReport withNear(const std::string& kind, float weight) {
-  LightUse light;
+  LightReport light;
   light.type = kind;
   if (weight > 0) light.weights = {0, weight};
   RigReport rig;

@@ -15,8 +15,8 @@ LightVerdict near() { return {LightRole::near, 1, 6, 0.1f}; }
 LightVerdict culled() { return {LightRole::culled, 0, 0, 0}; }
 
 /// One light through the frames 10, 11, ...; bounds are over a mean of 2 W/m2.
-LightUse useOf(const std::vector<LightVerdict>& verdicts, const LightingOptions& asked = {},
-               std::optional<float> budget = {}) {
+LightReport useOf(const std::vector<LightVerdict>& verdicts, const LightingOptions& asked = {},
+                  std::optional<float> budget = {}) {
   LightLog log;
   std::vector<int> frames;
   for (const LightVerdict& verdict : verdicts) {
@@ -35,7 +35,7 @@ LightingOptions aimingAt(Kind kind, float value) {
 }
 
 TEST(LightLog, CountsFramesAndPoolsBoundAndShare) {
-  const LightUse use = useOf({culled(), far(1, 0.2f), blended(0.25f), near(), near()});
+  const LightReport use = useOf({culled(), far(1, 0.2f), blended(0.25f), near(), near()});
   EXPECT_EQ(use.name, "lamp");
   EXPECT_EQ(use.type, "sphere");
   EXPECT_EQ(use.framesOf(LightRole::culled), 1);
@@ -91,7 +91,7 @@ TEST(LightLog, KeepsTheCourseOfTheLightsThatMatter) {
     log.add(verdicts);
     const int number = 0;
     std::vector<std::string> names;
-    for (const LightUse& use : log.uses({lights, {&number, 1}, 2, {}, {}}))
+    for (const LightReport& use : log.uses({lights, {&number, 1}, 2, {}, {}}))
       if (!use.bounds.empty()) names.push_back(use.name);
     return names;
   };

@@ -85,10 +85,10 @@ float lampWeight(double time, double moment) {
 }
 
 /// Three lights that pass one after another, one that is culled at times, and many small ones.
-std::vector<tools::LightUse> lightUses(const std::vector<tools::LightRow>& rows, int frames, bool choosing) {
-  std::vector<tools::LightUse> uses;
+std::vector<tools::LightReport> lightUses(const std::vector<tools::LightRow>& rows, int frames, bool choosing) {
+  std::vector<tools::LightReport> uses;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    tools::LightUse& use = uses.emplace_back();
+    tools::LightReport& use = uses.emplace_back();
     use.name = rows[i].name;
     use.type = rows[i].type;
     const bool passes = i < 3;

@@ -9,7 +9,7 @@
 namespace rigel::tools {
 namespace {
 
-DiskUse useOf(const LightUse& light, const ObjectReport& object, const RigReport& rig, bool wraps) {
+DiskUse useOf(const LightReport& light, const ObjectReport& object, const RigReport& rig, bool wraps) {
   const int near = light.framesOf(LightRole::near) + light.framesOf(LightRole::blended);
   const bool inRig = light.framesOf(LightRole::far) + light.framesOf(LightRole::blended) > 0;
   DiskUse use{light.name, object.name, rig.spec, "none", light.why};
@@ -34,7 +34,7 @@ std::string small(double relative) { return smallPercentage(relative) + " %"; }
 std::vector<DiskUse> diskUses(const ObjectReport& object, bool wraps) {
   std::vector<DiskUse> uses;
   for (const RigReport& rig : object.rigs) {
-    for (const LightUse& light : rig.lights)
+    for (const LightReport& light : rig.lights)
       if (light.type == "disk") uses.push_back(useOf(light, object, rig, wraps));
   }
   return uses;

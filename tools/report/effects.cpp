@@ -25,7 +25,7 @@ std::vector<std::string> effectsOf(const LightSet& lights, std::span<const float
   for (const ObjectReport& object : objects) {
     for (const RigReport& rig : object.rigs) {
       if (rig.highBandFrames > 0) effects.add(Effect::rig_highBand);
-      for (const LightUse& light : rig.lights)
+      for (const LightReport& light : rig.lights)
         if (!light.weights.empty()) effects.add(nearEffect(light.type));
     }
   }

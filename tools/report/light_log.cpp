@@ -13,7 +13,7 @@ namespace {
 using Kind = LightingTarget::Kind;
 
 /// "in all frames", "in frame 7", "in frames 3-9, 12 and 4 more stretches".
-std::string framesWith(const LightUse& use, LightRole role, std::span<const int> numbers) {
+std::string framesWith(const LightReport& use, LightRole role, std::span<const int> numbers) {
   constexpr int kNamed = 2;
   if (use.framesOf(role) == static_cast<int>(use.roles.size())) return "in all frames";
   std::string text;
@@ -47,7 +47,7 @@ std::string goalOf(const LightLogContext& context) {
   return counted(context.asked.nearSlots, "near light") + " at most";
 }
 
-std::string whyFar(const LightUse& use, const LightLogContext& context) {
+std::string whyFar(const LightReport& use, const LightLogContext& context) {
   if (use.bound == 0) return "far: the rig holds it without error";
   const std::string error = fmt::format("far: in the rig it is wrong by at most {}", ofMeanLight(use.bound));
   const LightingOptions& asked = context.asked;
@@ -57,7 +57,7 @@ std::string whyFar(const LightUse& use, const LightLogContext& context) {
   return error + (context.budget ? "; others take the budget" : "; by the rig's estimate the target is met without it");
 }
 
-std::string whyOf(const LightUse& use, const LightLogContext& context) {
+std::string whyOf(const LightReport& use, const LightLogContext& context) {
   const auto frames = [&](LightRole role) { return framesWith(use, role, context.frames); };
   const int near = use.framesOf(LightRole::near), blended = use.framesOf(LightRole::blended);
   const int culled = use.framesOf(LightRole::culled);
@@ -76,13 +76,13 @@ std::string whyOf(const LightUse& use, const LightLogContext& context) {
 }
 
 /// Leaves the course over the frames to the lights that have one worth showing.
-void thinOut(std::vector<LightUse>& uses) {
-  std::vector<LightUse*> far;
-  for (LightUse& use : uses) {
+void thinOut(std::vector<LightReport>& uses) {
+  std::vector<LightReport*> far;
+  for (LightReport& use : uses) {
     if (std::ranges::all_of(use.weights, [](float w) { return w == 0; })) use.weights.clear();
     if (use.weights.empty()) far.push_back(&use);
   }
-  std::ranges::stable_sort(far, [](const LightUse* a, const LightUse* b) { return a->bound > b->bound; });
+  std::ranges::stable_sort(far, [](const LightReport* a, const LightReport* b) { return a->bound > b->bound; });
   const std::size_t kept = far.size() == uses.size() ? 0 : LightLog::kKept;
   for (std::size_t rank = kept; rank < far.size(); ++rank) far[rank]->bounds.clear();
 }
@@ -105,12 +105,12 @@ const char* roleName(LightRole role) {
 
 void LightLog::add(std::span<const LightVerdict> verdicts) { frames_.emplace_back(verdicts.begin(), verdicts.end()); }
 
-std::vector<LightUse> LightLog::uses(const LightLogContext& context) const {
+std::vector<LightReport> LightLog::uses(const LightLogContext& context) const {
   assert(context.frames.size() == frames_.size());
   const float scale = context.meanIrradiance > 0 ? static_cast<float>(1 / context.meanIrradiance) : 0;
-  std::vector<LightUse> uses;
+  std::vector<LightReport> uses;
   for (std::size_t i = 0; i < context.lights.size(); ++i) {
-    LightUse& use = uses.emplace_back();
+    LightReport& use = uses.emplace_back();
     use.name = context.lights[i].name;
     use.type = context.lights[i].type;
     for (const std::vector<LightVerdict>& frame : frames_) {

@@ -25,7 +25,7 @@ class LightLog {
 
   /// One entry a light. Where any light is near at times, bounds frame by frame are kept for those that are and for the
   /// kKept others with the largest; else for none: a report of hundreds of lights must still open.
-  std::vector<LightUse> uses(const LightLogContext& context) const;
+  std::vector<LightReport> uses(const LightLogContext& context) const;
   static constexpr std::size_t kKept = 10;
 
  private:

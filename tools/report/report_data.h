@@ -33,7 +33,7 @@ struct RigFrame {
 };
 
 /// A light as one rig treats it over the frames of the run.
-struct LightUse {
+struct LightReport {
   std::string name;
   std::string type;
   double bound = 0;  // largest over the frames: of the error of leaving it in the rig, relative
@@ -88,7 +88,7 @@ struct RigReport {
   double condition = 1;           // worst condition number of the fit over the frames; 1 where nothing is solved
   std::vector<StageTime> stages;  // those that ran, in their order
   std::vector<RigFrame> frames;
-  std::vector<LightUse> lights;     // in the order of the scene's
+  std::vector<LightReport> lights;  // in the order of the scene's
   std::optional<BudgetUse> budget;  // of a rig that shares the frame's time
 };
 

@@ -190,12 +190,12 @@ class Writer {
     for (const RigFrame& rigFrame : report.frames) frames.push_back(frame(rigFrame, report.lights));
     result["frames"] = std::move(frames);
     Json lights = Json::array();
-    for (const LightUse& use : report.lights) lights.push_back(light(use));
+    for (const LightReport& use : report.lights) lights.push_back(light(use));
     result["lights"] = std::move(lights);
     return result;
   }
 
-  Json frame(const RigFrame& report, const std::vector<LightUse>& lights) {
+  Json frame(const RigFrame& report, const std::vector<LightReport>& lights) {
     Json near = Json::array();
     for (const int i : report.near) near.push_back(lights.at(static_cast<std::size_t>(i)).name);
     Json result = {{"time", number(report.time, "time")},
@@ -210,7 +210,7 @@ class Writer {
     return result;
   }
 
-  Json light(const LightUse& use) {
+  Json light(const LightReport& use) {
     Json result = {{"name", use.name},
                    {"type", use.type},
                    {"bound", number(use.bound, "bound of light " + use.name)},
