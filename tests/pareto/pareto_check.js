@@ -1,21 +1,8 @@
-// Drives the chart's page as a reader would, through its elements alone, and writes the outcome into
-// <body data-check>. check_page.sh appends this to a page; the page itself knows nothing of it.
+// Drives the chart's page as a reader would, through its elements alone (tests/report/page_driver.js). check_page.sh appends
+// this to a page; the page itself knows nothing of it.
 (() => {
-  'use strict';
-  let checks = 0;
-  const failures = [];
-  const check = (passed, what) => {
-    ++checks;
-    if (!passed) failures.push(what);
-  };
-  const equal = (actual, expected, what) => check(actual === expected, `${what}: ${actual}, not ${expected}`);
-  addEventListener('error', (event) => failures.push(`exception: ${event.message}`));
-  addEventListener('unhandledrejection', (event) => failures.push(`rejection: ${event.reason}`));
-
   const data = JSON.parse(document.getElementById('pareto-data').textContent);
   const all = (selector, node = document) => [...node.querySelectorAll(selector)];
-  const drawn = () => new Promise((done) => setTimeout(done, 1000));  // of virtual time: the chart waits for a frame
-  const press = (node, key) => node.dispatchEvent(new KeyboardEvent('keydown', {key, bubbles: true, cancelable: true}));
   const button = (group, label) => all(`[aria-label="${group}"] button`).find((candidate) => candidate.textContent.trim() === label);
   const marks = () => all('.pareto-plot svg [role="button"]');
   const argumentsOf = (mark) => mark.dataset.arguments;
@@ -109,10 +96,5 @@
     check(document.documentElement.scrollWidth <= innerWidth + 1, `wider than its window: ${document.documentElement.scrollWidth} of ${innerWidth}`);
   }
 
-  const finish = () => {
-    const outcome = failures.length ? `failed: ${failures.slice(0, 5).join('; ')}` : `ok, ${checks} checks`;
-    document.body.dataset.check = outcome;
-    if (parent !== window) parent.postMessage(outcome, '*');
-  };
-  run().catch((error) => failures.push(`exception: ${error.message}`)).finally(finish);
+  drive(run);
 })();

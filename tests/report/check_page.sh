@@ -1,10 +1,12 @@
 #!/bin/sh
 # Opens a report in headless Chromium, drives it with a script, and fails on anything the console reports.
-# check_page.sh REPORT.html [SCRIPT.js]: the script writes its result into <body data-check="...">; "ok" is success.
+# check_page.sh REPORT.html [SCRIPT.js]: the script, with page_driver.js before it, writes its result into
+# <body data-check="...">; "ok" is success.
 set -eu
 
 report=$1
-script=${2:-$(dirname "$0")/page_check.js}
+here=$(dirname "$0")
+script=${2:-$here/page_check.js}
 chromium=${CHROMIUM:-$(command -v chromium || true)}
 if [ -z "$chromium" ]; then
   echo "check_page: chromium is not installed; tools/test installs it" >&2
@@ -13,7 +15,7 @@ fi
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-{ cat "$report"; echo '<script>'; cat "$script"; echo '</script>'; } > "$work/page.html"
+{ cat "$report"; echo '<script>'; cat "$here/page_driver.js" "$script"; echo '</script>'; } > "$work/page.html"
 
 # Chromium's own window is never narrower than 500 pixels, so a telephone is a frame of that width.
 cat > "$work/narrow.html" <<'END'

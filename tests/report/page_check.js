@@ -1,23 +1,10 @@
-// Drives a report as a reader would, through its elements alone, and writes the outcome into <body data-check>.
-// check_page.sh appends this to a report; the page itself knows nothing of it.
+// Drives a report as a reader would, through its elements alone (page_driver.js). check_page.sh appends this to a report;
+// the page itself knows nothing of it.
 (() => {
-  'use strict';
-  let checks = 0;
-  const failures = [];
-  const check = (passed, what) => {
-    ++checks;
-    if (!passed) failures.push(what);
-  };
-  const equal = (actual, expected, what) => check(actual === expected, `${what}: ${actual}, not ${expected}`);
-  addEventListener('error', (event) => failures.push(`exception: ${event.message}`));
-  addEventListener('unhandledrejection', (event) => failures.push(`rejection: ${event.reason}`));
-
   const data = JSON.parse(document.getElementById('report-data').textContent);
   const pictureData = JSON.parse(document.getElementById('picture-data').textContent);
   const all = (node, selector) => [...node.querySelectorAll(selector)];
-  const press = (node, key) => node.dispatchEvent(new KeyboardEvent('keydown', {key, bubbles: true, cancelable: true}));
   const pointer = (node, type, clientX) => node.dispatchEvent(new PointerEvent(type, {clientX, clientY: 0, button: 0, bubbles: true}));
-  const drawn = () => new Promise((done) => setTimeout(done, 1000));  // of virtual time: the charts wait for a frame
   const button = (node, group, label) => all(node, `[aria-label="${group}"] button`).find((candidate) => candidate.textContent === label);
 
   function checkGallery(section, object) {
@@ -257,9 +244,5 @@
     check(checks > 15, 'hardly anything was checked');
   }
 
-  run().catch((error) => failures.push(`exception: ${error.message}`)).finally(() => {
-    const result = failures.length ? `failed: ${failures.join('; ')}` : `ok, ${checks} checks`;
-    document.body.dataset.check = result;
-    if (parent !== window) parent.postMessage(result, '*');  // framed, to make the window as narrow as a telephone
-  });
+  drive(run);
 })();
