@@ -4,18 +4,10 @@
 #include <array>
 
 #include "crowd_block.h"
+#include "weights.h"
 
 namespace rigel::crowd {
 namespace {
-
-constexpr float kLeastWeight = 1e-6f;  // a share that nobody sees and that is not worth a slot
-
-float nearWeight(float error, float floor) noexcept {
-  if (!(error > floor)) return 0;
-  if (!(floor > 0)) return 1;
-  const float t = std::min(error / floor - 1, 1.0f);
-  return t * t * (3 - 2 * t);
-}
 
 float visible(float weight) noexcept { return weight > kLeastWeight ? weight : 0.0f; }
 

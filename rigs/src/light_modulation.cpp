@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "weights.h"
+
 namespace rigel {
 namespace {
 
@@ -15,11 +17,6 @@ float window(float distance, float range) noexcept {
   const float x = distance / range;
   const float u = 1 - x * x * x * x;
   return u > 0 ? u * u : 0;
-}
-
-float smoothstep(float t) noexcept {
-  t = std::clamp(t, 0.0f, 1.0f);
-  return t * t * (3 - 2 * t);
 }
 
 /// Widens the cone to hold another's, an axis of length 1 and its spread.

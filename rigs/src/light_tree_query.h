@@ -4,17 +4,13 @@
 #include <rigel/wrap.h>
 
 #include "light_tree_state.h"
+#include "weights.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 namespace rigel {
-
-inline float smoothstep(float t) noexcept {
-  t = std::clamp(t, 0.0f, 1.0f);
-  return t * t * (3 - 2 * t);
-}
 
 /// G of light_tree.h; for t < 1.
 inline float growthOf(float t) noexcept { return (3 - 2 * t) / ((1 - t) * (1 - t)); }

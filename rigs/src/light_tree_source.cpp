@@ -1,6 +1,7 @@
 // Lights of any kind as sums of emitters: spheres and points as one at their centre, disks as one on each bit of their
 // face.
 #include "light_tree_state.h"
+#include "weights.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,11 +38,10 @@ bool setAxis(LightModulation& m, Vec3 direction) noexcept {
 
 void place(LightSource& source, Vec3 p, float reach, Rgb colour) noexcept {
   if (anyNan(p) || anyNan(colour.r, colour.g, colour.b) || anyNan(reach)) return;
-  const float square = (colour.r * colour.r + colour.g * colour.g + colour.b * colour.b) / 3;
   const float far = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z), reach});
   const bool infinite = std::isinf(p.x) || std::isinf(p.y) || std::isinf(p.z);
   if (colour == Rgb{} || infinite) return;
-  const float power = std::sqrt(square);
+  const float power = magnitude(colour);
   if (!(far < kFarthest && power < kBrightest && power > 1 / kBrightest)) {
     source.lone = source.shines = true;
     return;

@@ -6,23 +6,13 @@
 #include <limits>
 
 #include "approach.h"
+#include "weights.h"
 
 namespace rigel {
 namespace {
 
-/// A share that nobody sees and that is not worth a slot.
-constexpr float kLeastWeight = 1e-6f;
-
 /// NaN and negative values become 0, infinities `largest`.
 float held(float value, float largest) noexcept { return value > 0 ? std::min(value, largest) : 0.0f; }
-
-/// smoothstep(error/floor - 1), and its limits where the floor is 0.
-float nearWeight(float error, float floor) noexcept {
-  if (!(error > floor)) return 0;
-  if (!(floor > 0)) return 1;
-  const float t = std::min(error / floor - 1, 1.0f);
-  return t * t * (3 - 2 * t);
-}
 
 }  // namespace
 

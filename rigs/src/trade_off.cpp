@@ -5,6 +5,8 @@
 #include <functional>
 #include <limits>
 
+#include "weights.h"
+
 namespace rigel {
 namespace {
 
@@ -25,11 +27,6 @@ constexpr float kLeastRoom = 0.04f;
 constexpr float kUnfit = 300;  // ns a doubling of the target that a choice misses
 // Of the error of all lights left out; targets below it are held there.
 constexpr float kLeastTarget = 1e-12f;
-
-float smoothstep(float x) noexcept {
-  x = std::clamp(x, 0.0f, 1.0f);
-  return x * x * (3 - 2 * x);
-}
 
 /// What is evaluated at all costs in full, however little it weighs. Counted from just before its weight rises (at `x`
 /// = 0) so that the count is continuous and never too low.
