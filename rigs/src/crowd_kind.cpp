@@ -10,12 +10,6 @@ namespace {
 
 constexpr int kLinearTerms = 4, kQuadraticTerms = 10;
 
-int term(const GpuRig& description, int k) noexcept {
-  const auto& four = description.terms[k / 16];
-  const int all[] = {four.x, four.y, four.z, four.w};
-  return all[k / 4 % 4] >> (8 * (k % 4)) & 0xff;
-}
-
 }  // namespace
 
 CrowdKind::Data::Data(Rig r, const CrowdShape& shape, const CrowdKindOptions& o) : rig(std::move(r)), options(o) {
@@ -26,12 +20,13 @@ CrowdKind::Data::Data(Rig r, const CrowdShape& shape, const CrowdKindOptions& o)
     shares.push_back(sample.share);
     footprints.push_back(sample.footprint);
   }
-  description = GpuRigReader(rig).describe({});
+  const GpuRigReader reader(rig);
+  description = reader.describe({});
   description.vectors = vectors;
   description.scale = 1;
   for (int k = 0; k < vectors; ++k) {
-    from.push_back(static_cast<std::uint8_t>(term(description, k) / 4));
-    axis.push_back(static_cast<std::uint8_t>(term(description, k) % 4));
+    from.push_back(static_cast<std::uint8_t>(reader.term(k).from));
+    axis.push_back(static_cast<std::uint8_t>(reader.term(k).axis));
   }
   shape.skin.empty() ? addRest(shape) : addSkin(shape);
 }

@@ -57,11 +57,16 @@ GpuRig GpuRigReader::describe(const RigFrame& worldFromRig) const noexcept {
   return out;
 }
 
+GpuRigReader::Term GpuRigReader::term(int k) const noexcept {
+  const auto& model = static_cast<const Rig::PolyModel&>(*rig_.model_);
+  return {model.divisor(k), model.axis(k)};
+}
+
 void GpuRigReader::describePoly(GpuRig& out) const noexcept {
   const auto& model = static_cast<const Rig::PolyModel&>(*rig_.model_);
   out.kind = rig_.spec().falloff ? shader_types::kGpuRigInvquad : shader_types::kGpuRigPoly;
   for (int k = 0; k < rig_.shVectors(); ++k) {
-    const int packed = model.divisor(k) * 4 + model.axis(k);
+    const int packed = term(k).from * 4 + term(k).axis;
     component(out.terms[k / 16], k / 4 % 4) |= packed << (8 * (k % 4));
   }
   const auto& q = model.falloff().coefficients();

@@ -16,6 +16,12 @@ class GpuRigReader {
   /// Everything but where the coefficients are, how many and their scale.
   GpuRig describe(const RigFrame& worldFromRig) const noexcept;
 
+  /// Poly and invquad: monomial k > 0 is monomial `from` < k times coordinate `axis`.
+  struct Term {
+    int from, axis;
+  };
+  Term term(int k) const noexcept;
+
   /// @gauss: per axis pairs of (node, 1 / prod (node - others)), two a vec4, each axis beginning one.
   void gaussNodes(std::span<GpuVec4> out) const noexcept;
 

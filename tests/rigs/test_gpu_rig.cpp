@@ -152,6 +152,18 @@ TEST(GpuRig, HalfFloatsRoundToNearestEven) {
   EXPECT_TRUE(std::isnan(floatFromHalf(halfFromFloat(std::nanf("")))));
 }
 
+TEST(GpuRig, FloatsFromHalvesAreTheReference) {
+  for (int bits = 0; bits < 0x10000; ++bits) {
+    const auto half = static_cast<std::uint16_t>(bits);
+    const float expected = floatFromHalf(half), own = rigel::floatFromHalf(half);
+    if (std::isnan(expected)) {
+      EXPECT_TRUE(std::isnan(own)) << bits;
+    } else {
+      EXPECT_EQ(std::bit_cast<std::uint32_t>(own), std::bit_cast<std::uint32_t>(expected)) << bits;
+    }
+  }
+}
+
 TEST(GpuRig, HalfFloatsHoldAnyBrightnessToTwoToTheMinus11) {
   const Rig rig = rigOf("poly:2", kBody);
   std::mt19937 random(3);

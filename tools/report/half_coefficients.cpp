@@ -1,18 +1,10 @@
 #include "report/half_coefficients.h"
 
 #include <rigel/gpu_rig.h>
-
-#include <cmath>
+#include <rigel/half.h>
 
 namespace rigel::tools {
 namespace {
-
-double floatFromHalf(std::uint16_t half) {
-  const int exponent = half >> 10 & 31;
-  const int fraction = half & 1023;
-  const double size = exponent == 0 ? std::ldexp(fraction, -24) : std::ldexp(1024 + fraction, exponent - 25);
-  return (half & 0x8000) != 0 ? -size : size;
-}
 
 /// Floats from texels on, one after another.
 class Reader {
@@ -22,7 +14,7 @@ class Reader {
   float operator[](std::size_t i) const {
     const GpuHalf4& texel = texels_[i / 4];
     const std::uint16_t halves[] = {texel.x, texel.y, texel.z, texel.w};
-    return static_cast<float>(scale_ * floatFromHalf(halves[i % 4]));
+    return static_cast<float>(scale_ * static_cast<double>(floatFromHalf(halves[i % 4])));
   }
 
  private:

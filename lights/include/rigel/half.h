@@ -24,4 +24,16 @@ constexpr std::uint16_t halfFromFloat(float x) noexcept {
   return static_cast<std::uint16_t>(sign | rounded >> 13);
 }
 
+/// Exact.
+constexpr float floatFromHalf(std::uint16_t half) noexcept {
+  const std::uint32_t sign = (half & 0x8000u) << 16, magnitude = half & 0x7fffu;
+  if (magnitude < 0x0400u) {
+    // Multiples of 2^-24.
+    const float size = static_cast<float>(magnitude) * 0x1p-24f;
+    return sign != 0 ? -size : size;
+  }
+  const std::uint32_t rest = magnitude << 13;
+  return std::bit_cast<float>(sign | (magnitude < 0x7c00u ? rest + 0x38000000u : rest | 0x7f800000u));
+}
+
 }  // namespace rigel
