@@ -99,20 +99,30 @@ PreparedLight prepared(const DiskLight& light) noexcept {
 
 }  // namespace
 
+void PreparedLights::reserve(int count) {
+  lights_.reserve(static_cast<std::size_t>(count));
+  uses_.reserve(static_cast<std::size_t>(count));
+}
+
+void PreparedLights::push(const PreparedLight& light) {
+  if (uses_.size() == lights_.size()) uses_.push_back({static_cast<std::uint32_t>(uses_.size()), 1});
+  lights_.push_back(light);
+}
+
 void PreparedLights::set(const LightSet& lights) {
   anyDirectional_ = lights.directionalCount() > 0;
   anyDisk_ = lights.diskCount() > 0;
   lights_.clear();
-  lights_.reserve(static_cast<std::size_t>(lights.size()));
-  for (int i = 0; i < lights.directionalCount(); ++i) lights_.push_back(prepared(lights.directional(i)));
-  for (int i = 0; i < lights.pointCount(); ++i) lights_.push_back(prepared(lights.point(i)));
-  for (int i = 0; i < lights.spotCount(); ++i) lights_.push_back(prepared(lights.spot(i)));
-  for (int i = 0; i < lights.sphereCount(); ++i) lights_.push_back(prepared(lights.sphere(i)));
-  for (int i = 0; i < lights.diskCount(); ++i) lights_.push_back(prepared(lights.disk(i)));
+  reserve(lights.size());
+  for (int i = 0; i < lights.directionalCount(); ++i) push(prepared(lights.directional(i)));
+  for (int i = 0; i < lights.pointCount(); ++i) push(prepared(lights.point(i)));
+  for (int i = 0; i < lights.spotCount(); ++i) push(prepared(lights.spot(i)));
+  for (int i = 0; i < lights.sphereCount(); ++i) push(prepared(lights.sphere(i)));
+  for (int i = 0; i < lights.diskCount(); ++i) push(prepared(lights.disk(i)));
 }
 
 std::uint32_t PreparedLights::add(const SphereLight& light) {
-  lights_.push_back(prepared(light));
+  push(prepared(light));
   return static_cast<std::uint32_t>(lights_.size() - 1);
 }
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numeric>
 
+#include "weights.h"
+
 namespace rigel::crowd {
 namespace {
-
-float magnitude(Rgb c) noexcept { return std::sqrt((c.r * c.r + c.g * c.g + c.b * c.b) / 3); }
 
 bool isFinite(Vec3 v) noexcept { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
@@ -50,11 +50,9 @@ void FrameLights::set(const CrowdLights& lights) {
   near_.resize(count);
   if (lights.ids.empty()) std::iota(ids_.begin(), ids_.end(), 0u);
   if (!lights.ids.empty()) std::ranges::copy(lights.ids, ids_.begin());
-  uses_.resize(count);
   groups_.resize(count);
   grouped_ = false;
   for (std::size_t i = 0; i < count; ++i) {
-    uses_[i] = {static_cast<std::uint32_t>(i), 1};
     groups_[i] = lights_->groups(static_cast<int>(i));
     grouped_ = grouped_ || groups_[i] != kAllLightGroups;
   }
@@ -88,8 +86,7 @@ void FrameLights::findFresh() {
 }
 
 std::size_t FrameLights::bytes() const noexcept {
-  return rows_.bytes() + near_.capacity() * sizeof(GpuNearLight) + uses_.capacity() * sizeof(LightUse) +
-         fresh_.capacity() +
+  return rows_.bytes() + near_.capacity() * sizeof(GpuNearLight) + fresh_.capacity() +
          (ids_.capacity() + groups_.capacity() + shining_.capacity() + shone_.capacity()) * sizeof(std::uint32_t);
 }
 

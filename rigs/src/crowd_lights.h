@@ -15,7 +15,8 @@ class FrameLights {
   const PreparedLights& prepared() const noexcept { return *prepared_; }
   const RankRows& ranks() const noexcept { return ranks_; }
   const GpuNearLight& near(int i) const noexcept { return near_[i]; }  // all of it
-  std::span<const LightUse> uses() const noexcept { return uses_; }    // all lights
+  /// All lights.
+  std::span<const LightUse> uses() const noexcept { return prepared_->all().first(ids_.size()); }
   std::span<const std::uint32_t> ids() const noexcept { return ids_; }
   bool grouped() const noexcept { return grouped_; }  // not all lights are of all groups
   std::span<const std::uint8_t> fresh() const noexcept { return fresh_; }
@@ -31,7 +32,6 @@ class FrameLights {
   AlignedArray<float> rows_;
   RankRows ranks_{};
   std::vector<GpuNearLight> near_;
-  std::vector<LightUse> uses_;
   std::vector<std::uint32_t> ids_;
   std::vector<std::uint32_t> groups_;
   bool grouped_ = false;

@@ -10,6 +10,7 @@
 
 #include "approach.h"
 #include "surface_check.h"
+#include "weights.h"
 
 namespace rigel {
 namespace lighting {
@@ -23,8 +24,6 @@ inline constexpr float kTotalMargin = 1.1f, kTotalSpatialMargin = 1.4f;
 // Two dozen points miss part of an error that is largest in small places; measured over the inputs of tools/study.
 inline constexpr float kFewPoints = 1.35f;
 
-/// One figure for a colour: RMS over its channels, as errors are pooled.
-inline float magnitude(Rgb c) noexcept { return std::sqrt((c.r * c.r + c.g * c.g + c.b * c.b) / 3); }
 /// A light that is not a number contributes nothing.
 inline float orNothing(float x) noexcept { return x > 0 ? std::min(x, std::numeric_limits<float>::max()) : 0.0f; }
 
@@ -88,7 +87,7 @@ struct ObjectLighting<B>::State {
     for (int i = 0; i < count; ++i) {
       lights.visit(i, [&](const auto& light) {
         const LightBound bound = bounds(light);
-        const float size = lighting::magnitude(colourOf(light));
+        const float size = magnitude(colourOf(light));
         errors[i] = lighting::orNothing(bound.error * size);
         peaks[i] = lighting::orNothing(bound.peak * size);
         culled[i] = peaks[i] > 0 ? 0 : 1;
@@ -102,10 +101,7 @@ struct ObjectLighting<B>::State {
   /// All of these lights into the rig's functionals.
   void project(const LightSet& lights) {
     prepared.set(lights);
-    for (auto i = static_cast<std::uint32_t>(uses.size()); i < static_cast<std::uint32_t>(lights.size()); ++i)
-      uses.push_back({i, 1});
-    projectSamples<B>(rig, frame, prepared, std::span(uses).first(static_cast<std::size_t>(lights.size())),
-                      functionals);
+    projectSamples<B>(rig, frame, prepared, prepared.all(), functionals);
   }
 
   void fitFar(const LightSet& far, LightingProbe probe) {
@@ -370,7 +366,6 @@ struct ObjectLighting<B>::State {
 
   LightSet some, farLights;
   PreparedLights prepared;
-  std::vector<LightUse> uses;  // all of what is prepared
   FarError farError;
   std::vector<float> coefficientWeights;
   std::vector<RadianceSH<B>> functionals, coefficients;

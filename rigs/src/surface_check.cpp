@@ -148,20 +148,17 @@ void SurfaceCheck<B>::setPose(const Rig& rig, std::span<const Vec3> anchors, con
 template <int B>
 void SurfaceCheck<B>::reserve(int lights) {
   prepared_.reserve(lights);
-  uses_.reserve(static_cast<std::size_t>(lights));
 }
 
 /// Fills the sums: B bands at all points, and all bands at those where they are wanted.
 template <int B>
 void SurfaceCheck<B>::projectAtPoints(const LightSet& lights) {
   prepared_.set(lights);
-  const auto count = static_cast<std::size_t>(lights.size());
-  for (auto i = static_cast<std::uint32_t>(uses_.size()); i < count; ++i) uses_.push_back({i, 1});
-  const std::span<const LightUse> uses(uses_.data(), count);
-  projectBatch<B>(prepared_, uses, {x_, y_, z_}, footprints_, sums_);
+  projectBatch<B>(prepared_, prepared_.all(), {x_, y_, z_}, footprints_, sums_);
   if (whole_ == 0) return;
   const auto first = [&](const std::vector<float>& row) { return std::span<const float>(row).first(whole_); };
-  projectBatch<kMaxBands>(prepared_, uses, {first(x_), first(y_), first(z_)}, first(footprints_), wholeSums_);
+  projectBatch<kMaxBands>(prepared_, prepared_.all(), {first(x_), first(y_), first(z_)}, first(footprints_),
+                          wholeSums_);
 }
 
 template <int B>
@@ -195,8 +192,7 @@ float SurfaceCheck<B>::describe(const LightSet& lights, Rig& rig, int index) {
 
 template <int B>
 void SurfaceCheck<B>::subtractRig(Rig& rig, float* residuals) {
-  projectSamples<B>(rig, frame_, prepared_, std::span(uses_).first(static_cast<std::size_t>(prepared_.size())),
-                    functionals_);
+  projectSamples<B>(rig, frame_, prepared_, prepared_.all(), functionals_);
   fitRig<B>(rig, functionals_, coefficients_);
   for (std::size_t s = 0; s < points_.size(); ++s) {
     const RadianceSH<B> sh = evaluateRig<B>(rig, coefficients_, frame_.inversePoint(points_[s].position));

@@ -83,7 +83,6 @@ class SurfaceCheck {
   std::vector<std::size_t> rowOf_;             // of each point among these
   std::size_t whole_ = 0;                      // points with all bands
   PreparedLights prepared_;
-  std::vector<LightUse> uses_;
   std::vector<float> sums_, wholeSums_;  // rows of points, rows of whole_ points
   std::vector<RadianceSH<B>> functionals_, coefficients_;
 };

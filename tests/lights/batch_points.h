@@ -27,19 +27,12 @@ class BatchPoints {
   std::vector<float> rows_[3];
 };
 
-/// All of a set's lights.
-inline std::vector<LightUse> allOf(const PreparedLights& lights) {
-  std::vector<LightUse> uses;
-  for (int i = 0; i < lights.size(); ++i) uses.push_back({static_cast<std::uint32_t>(i), 1});
-  return uses;
-}
-
 template <int B>
 std::vector<float> sumsOf(const LightSet& lights, const BatchPoints& points, std::span<const float> footprints = {}) {
   PreparedLights prepared;
   prepared.set(lights);
   std::vector<float> sums(3 * B * B * points.size(), -12345.0f);
-  projectBatch<B>(prepared, allOf(prepared), points.rows(), footprints, sums);
+  projectBatch<B>(prepared, prepared.all(), points.rows(), footprints, sums);
   return sums;
 }
 

@@ -33,7 +33,7 @@ void compare(std::size_t count, std::size_t period) {
   SCOPED_TRACE(std::to_string(B) + " bands, " + std::to_string(count) + " points, period " + std::to_string(period));
   PreparedLights lights;
   lights.set(everyKind());
-  std::vector<LightUse> uses = test::allOf(lights);
+  std::vector<LightUse> uses(lights.all().begin(), lights.all().end());
   for (std::size_t u = 0; u < uses.size(); u += 5) uses[u].share = 0.5f;
   std::vector<std::vector<float>> numbers(uses.size());
   std::vector<const float*> rows(uses.size(), nullptr);
@@ -84,7 +84,7 @@ TEST(PointShares, AreThoseOfEachPoint) {
 TEST(PointShares, RowsOfNothingChangeNoBit) {
   PreparedLights lights;
   lights.set(everyKind());
-  const std::vector<LightUse> uses = test::allOf(lights);
+  const std::span<const LightUse> uses = lights.all();
   BatchPoints points;
   for (int i = 0; i < 37; ++i) points.add({0.1f * static_cast<float>(i), 0.3f, 0.2f});
   std::vector<float> plain(27 * 37), shared(27 * 37);

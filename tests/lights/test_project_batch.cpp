@@ -195,7 +195,7 @@ void compareWithScalar(Worst& worst, Random& random, bool withFootprints) {
   }
   PreparedLights prepared;
   prepared.set(lights);
-  std::vector<LightUse> uses = test::allOf(prepared);
+  std::vector<LightUse> uses(prepared.all().begin(), prepared.all().end());
   for (LightUse& use : uses) use.share = random.index(3) == 0 ? random.uniformf(0, 1) : 1;
   std::shuffle(uses.begin(), uses.end(), std::mt19937(5));
   std::vector<float> sums(3 * B * B * points.size());
@@ -243,7 +243,7 @@ TEST(ProjectBatch, AnyCountAndAlignmentGivesTheSame) {
     const LightSet lights = someOfEveryKind(random, 12);
     PreparedLights prepared;
     prepared.set(lights);
-    const std::vector<LightUse> uses = test::allOf(prepared);
+    const std::span<const LightUse> uses = prepared.all();
     BatchPoints all;
     std::vector<float> footprints;
     for (int k = 0; k < 150; ++k) {

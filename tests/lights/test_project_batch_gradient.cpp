@@ -27,7 +27,7 @@ struct Both {
       : sums(12 * B * B * points.size(), -12345.0f), count(points.size()) {
     PreparedLights prepared;
     prepared.set(lights);
-    projectBatchWithGradient<B>(prepared, test::allOf(prepared), points.rows(), sums);
+    projectBatchWithGradient<B>(prepared, prepared.all(), points.rows(), sums);
   }
   float operator()(int part, int i, int colour, std::size_t point) const {
     return sums[static_cast<std::size_t>(part * 3 * B * B + 3 * i + colour) * count + point];

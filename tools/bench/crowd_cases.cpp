@@ -95,8 +95,6 @@ class People {
   void projectOnly() {
     constexpr std::size_t kPack = 16, kSamples = 12;
     prepared_.set(lights_);
-    uses_.resize(static_cast<std::size_t>(lights_.size()));
-    for (std::size_t i = 0; i < uses_.size(); ++i) uses_[i] = {static_cast<std::uint32_t>(i), 1};
     for (std::size_t first = 0; first < ids_.size(); first += kPack) {
       const std::size_t people = std::min(kPack, ids_.size() - first), points = people * kSamples;
       for (std::size_t i = 0; i < points; ++i) {
@@ -108,7 +106,8 @@ class People {
         footprint_[i] = 0.15f;
       }
       const auto rows = [&](const float* row) { return std::span(row, points); };
-      projectBatch<3>(prepared_, uses_, {rows(x_), rows(y_), rows(z_)}, rows(footprint_), {sums_, 27 * points});
+      projectBatch<3>(prepared_, prepared_.all(), {rows(x_), rows(y_), rows(z_)}, rows(footprint_),
+                      {sums_, 27 * points});
     }
   }
 
@@ -123,7 +122,6 @@ class People {
   std::vector<CrowdId> ids_;
   LightSet lights_;
   PreparedLights prepared_;
-  std::vector<LightUse> uses_;
   std::vector<GpuRig> rigs_;
   std::vector<GpuVec4> coefficients_;
   std::vector<GpuNearLight> near_;

@@ -59,13 +59,11 @@ LightSet lightsAround(Lights kind, int count) {
 struct Batch {
   LightSet lights;
   PreparedLights prepared;
-  std::vector<LightUse> uses;
   std::vector<Vec3> points;
   std::vector<float> x, y, z, sums;
 
   Batch(Lights kind, int count) : lights(lightsAround(kind, count)) {
     prepared.set(lights);
-    for (int i = 0; i < count; ++i) uses.push_back({static_cast<std::uint32_t>(i), 1});
     points = bodySurface();
     std::shuffle(points.begin(), points.end(), std::mt19937(7));
     points.resize(kPoints);
@@ -73,7 +71,7 @@ struct Batch {
     sums.resize(4 * 27 * kPoints);
   }
   Vec3Rows rows() const { return {x, y, z}; }
-  double items() const { return static_cast<double>(uses.size() * points.size()); }
+  double items() const { return static_cast<double>(prepared.all().size() * points.size()); }
 };
 
 void addTextbook(std::vector<BenchCase>& cases, const std::shared_ptr<Batch>& batch, const std::string& suffix) {
@@ -117,7 +115,7 @@ void addBatch(std::vector<BenchCase>& cases, const std::shared_ptr<Batch>& batch
   BenchCase value{name, "ns/light/point", batch->items(), 1, baseline, [batch](auto& state) {
                     const auto sums = std::span(batch->sums).first(27 * kPoints);
                     for (auto _ : state) {
-                      projectBatch<3>(batch->prepared, batch->uses, batch->rows(), {}, sums);
+                      projectBatch<3>(batch->prepared, batch->prepared.all(), batch->rows(), {}, sums);
                       benchmark::DoNotOptimize(batch->sums.data());
                       benchmark::ClobberMemory();
                     }
@@ -130,7 +128,7 @@ void addGradient(std::vector<BenchCase>& cases, const std::shared_ptr<Batch>& ba
                  const std::string& baseline) {
   BenchCase both{name, "ns/light/point", batch->items(), 1, baseline, [batch](auto& state) {
                    for (auto _ : state) {
-                     projectBatchWithGradient<3>(batch->prepared, batch->uses, batch->rows(), batch->sums);
+                     projectBatchWithGradient<3>(batch->prepared, batch->prepared.all(), batch->rows(), batch->sums);
                      benchmark::DoNotOptimize(batch->sums.data());
                      benchmark::ClobberMemory();
                    }

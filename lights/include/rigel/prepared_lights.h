@@ -37,7 +37,7 @@ struct alignas(64) PreparedLight {
 
 }  // namespace detail
 
-/// Not thread safe for writers; any number of readers. 64 bytes a light.
+/// Not thread safe for writers; any number of readers. 72 bytes a light.
 class PreparedLights {
  public:
   /// Replaces all lights; allocates only while their number grows. 10 ns a light.
@@ -46,7 +46,10 @@ class PreparedLights {
   /// One more, beyond those of the set, until the next `set`; its index. Allocates only while their number grows.
   std::uint32_t add(const SphereLight& light);
 
-  void reserve(int count) { lights_.reserve(static_cast<std::size_t>(count)); }
+  void reserve(int count);
+
+  /// Each of them once, in full.
+  std::span<const LightUse> all() const noexcept { return {uses_.data(), lights_.size()}; }
 
   int size() const noexcept { return static_cast<int>(lights_.size()); }
 
@@ -56,8 +59,11 @@ class PreparedLights {
   bool anyDisk() const noexcept { return anyDisk_; }
 
  private:
+  void push(const detail::PreparedLight& light);
+
   bool anyDirectional_ = false, anyDisk_ = false;
   std::vector<detail::PreparedLight> lights_;
+  std::vector<LightUse> uses_;  // of the first lights; as many as there have been at most
 };
 
 }  // namespace rigel
