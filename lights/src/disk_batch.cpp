@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 
-#define HWY_DISABLED_TARGETS RIGEL_DISABLED_TARGETS
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "disk_batch.cpp"
 #include <hwy/foreach_target.h>

@@ -10,13 +10,6 @@
 
 #include "vec3d.h"
 
-// SVE's vectors have no size at compile time, so that no class can hold one: NEON serves there. SSSE3 alone is rare.
-#define RIGEL_DISABLED_TARGETS \
-  (HWY_SSSE3 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | RIGEL_SPARED_TARGETS)
-#ifndef RIGEL_SPARED_TARGETS  // what builds with sanitizers leave out
-#define RIGEL_SPARED_TARGETS 0
-#endif
-
 namespace rigel {
 
 /// Points go through the stages of a kernel in blocks, which between two stages stay in the first-level cache.

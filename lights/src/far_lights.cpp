@@ -11,10 +11,8 @@
 #include <array>
 #include <cmath>
 
-#include "disk_batch_light.h"
 #include "project_block.h"
 
-#define HWY_DISABLED_TARGETS RIGEL_DISABLED_TARGETS
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "far_lights.cpp"
 #include <hwy/foreach_target.h>

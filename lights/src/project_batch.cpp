@@ -10,7 +10,6 @@
 #include "prepared_term.h"
 #include "project_block.h"
 
-#define HWY_DISABLED_TARGETS RIGEL_DISABLED_TARGETS
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "project_batch.cpp"
 #include <hwy/foreach_target.h>

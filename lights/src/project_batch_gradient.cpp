@@ -7,12 +7,10 @@
 #include <cassert>
 
 #include "careful_slopes.h"
-#include "disk_batch_light.h"
 #include "prepared_term.h"
 #include "project_block.h"
 #include "slope_terms.h"
 
-#define HWY_DISABLED_TARGETS RIGEL_DISABLED_TARGETS
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "project_batch_gradient.cpp"
 #include <hwy/foreach_target.h>

@@ -32,18 +32,53 @@ struct LightBlock {
 
 inline float heldShare(float share) noexcept { return share > 0 ? std::min(share, 1.0f) : 0.0f; }
 
-/// What the sums of weighBasis (project_lanes.h) are to be multiplied by: 2, the bands' k_l over e c.., and the
-/// constants of the basis.
+/// Constants of the basis, as the kernels' polynomials leave them out (lane_polynomials.h).
+inline constexpr double kBasisScale[] = {kRigelY00,
+                                         kRigelY1,
+                                         kRigelY1,
+                                         kRigelY1,
+                                         2 * kRigelY22,
+                                         kRigelY21,
+                                         kRigelY20,
+                                         kRigelY21,
+                                         kRigelY22,
+                                         kRigelY33,
+                                         kRigelY32,
+                                         kRigelY31,
+                                         kRigelY30,
+                                         kRigelY31,
+                                         kRigelY32,
+                                         kRigelY33,
+                                         2 * kRigelY44,
+                                         kRigelY43,
+                                         kRigelY42,
+                                         kRigelY41,
+                                         kRigelY40,
+                                         kRigelY41,
+                                         kRigelY42,
+                                         kRigelY43,
+                                         kRigelY44,
+                                         0.65638205684017010281,
+                                         2.07566231488104106,
+                                         0.48923829943525038768,
+                                         2.39676839248666199,
+                                         0.45294665119569692130,
+                                         0.11695032245342359644,
+                                         0.45294665119569692130,
+                                         2.39676839248666199,
+                                         0.48923829943525038768,
+                                         2.07566231488104106,
+                                         0.65638205684017010281};
+
+/// What the sums of weighBasis (project_lanes.h) are to be multiplied by: 2, the constants of the basis, and what
+/// weighBasis leaves out of the bands' k_l.
 template <int B>
 constexpr std::array<float, shCount(B)> shScale() noexcept {
-  constexpr double k3 = 0.25, k4 = 0.25;  // 2/8
-  constexpr double all[] = {2 * kRigelY00,  kRigelY1,           kRigelY1,       kRigelY1,       2 * kRigelY22,
-                            kRigelY21,      kRigelY20,          kRigelY21,      kRigelY22,      k3 * kRigelY33,
-                            k3 * kRigelY32, k3 * kRigelY31,     k3 * kRigelY30, k3 * kRigelY31, k3 * kRigelY32,
-                            k3 * kRigelY33, k4 * 2 * kRigelY44, k4 * kRigelY43, k4 * kRigelY42, k4 * kRigelY41,
-                            k4 * kRigelY40, k4 * kRigelY41,     k4 * kRigelY42, k4 * kRigelY43, k4 * kRigelY44};
+  constexpr double kLeftOut[] = {1, 1.0 / 2, 1.0 / 2, 1.0 / 8, 1.0 / 8};
   std::array<float, shCount(B)> scale{};
-  for (std::size_t i = 0; i < scale.size(); ++i) scale[i] = static_cast<float>(all[i]);
+  for (int l = 0, i = 0; l < B; ++l)
+    for (; i < shCount(l + 1); ++i)
+      scale[static_cast<std::size_t>(i)] = static_cast<float>(2 * kLeftOut[l] * kBasisScale[i]);
   return scale;
 }
 

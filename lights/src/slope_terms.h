@@ -66,44 +66,6 @@ struct SlopeTerm {
   float scale = 0;
 };
 
-/// Constants of the basis, as the kernels' polynomials leave them out (lane_polynomials.h).
-inline constexpr double kBasisScale[] = {kRigelY00,
-                                         kRigelY1,
-                                         kRigelY1,
-                                         kRigelY1,
-                                         2 * kRigelY22,
-                                         kRigelY21,
-                                         kRigelY20,
-                                         kRigelY21,
-                                         kRigelY22,
-                                         kRigelY33,
-                                         kRigelY32,
-                                         kRigelY31,
-                                         kRigelY30,
-                                         kRigelY31,
-                                         kRigelY32,
-                                         kRigelY33,
-                                         2 * kRigelY44,
-                                         kRigelY43,
-                                         kRigelY42,
-                                         kRigelY41,
-                                         kRigelY40,
-                                         kRigelY41,
-                                         kRigelY42,
-                                         kRigelY43,
-                                         kRigelY44,
-                                         0.65638205684017010281,
-                                         2.07566231488104106,
-                                         0.48923829943525038768,
-                                         2.39676839248666199,
-                                         0.45294665119569692130,
-                                         0.11695032245342359644,
-                                         0.45294665119569692130,
-                                         2.39676839248666199,
-                                         0.48923829943525038768,
-                                         2.07566231488104106,
-                                         0.65638205684017010281};
-
 /// The products of each output (axis * B^2 + i), from `begin` of it to that of the next.
 template <int B>
 struct SlopeTerms {

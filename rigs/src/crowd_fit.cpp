@@ -1,13 +1,11 @@
 // Fit and packing of a block.
 #include "crowd_block.h"
-#include "crowd_targets.h"
 
 #include <rigel/half.h>
 
 #include <algorithm>
 #include <limits>
 
-#define HWY_DISABLED_TARGETS RIGEL_CROWD_DISABLED_TARGETS
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "crowd_fit.cpp"
 #include <hwy/foreach_target.h>

@@ -1,11 +1,9 @@
 // Skinning, a palette's matrix row a vector, and placing, a character a lane.
 #include "crowd_block.h"
-#include "crowd_targets.h"
 
 #include <algorithm>
 #include <limits>
 
-#define HWY_DISABLED_TARGETS RIGEL_CROWD_DISABLED_TARGETS
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "crowd_pose.cpp"
 #include <hwy/foreach_target.h>

@@ -1,12 +1,10 @@
 // How wrong rigs would be about each light, a character a lane.
 #include "crowd_block.h"
-#include "crowd_targets.h"
 
 #include <algorithm>
 #include <bit>
 #include <limits>
 
-#define HWY_DISABLED_TARGETS RIGEL_CROWD_DISABLED_TARGETS
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "crowd_rank.cpp"
 #include <hwy/foreach_target.h>

@@ -1,11 +1,9 @@
 // The least-squares operators of a block, a character a lane, in double: normal equations square the condition.
 // Step by step what least_squares.cpp does.
 #include "crowd_block.h"
-#include "crowd_targets.h"
 
 #include <algorithm>
 
-#define HWY_DISABLED_TARGETS RIGEL_CROWD_DISABLED_TARGETS
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "crowd_refresh.cpp"
 #include <hwy/foreach_target.h>

@@ -1,9 +1,6 @@
 // Runs a test on each set of instructions that this machine has and the library was compiled for.
 #pragma once
 
-#ifndef HWY_DISABLED_TARGETS
-#define HWY_DISABLED_TARGETS HWY_SSSE3  // as the library
-#endif
 #include <hwy/targets.h>
 
 #include <gtest/gtest.h>
