@@ -20,15 +20,15 @@ int Crowd<B>::addKind(std::shared_ptr<const CrowdKind> kind) {
   population.padded = State::kPadded;
   for (crowd::Task& task : state_->tasks) task.reserve(population.data(), State::kWidth, State::kPadded, 0);
   state_->populations.push_back(std::move(population));
-  state_->schedule.reserve(state_->populations);
   return static_cast<int>(state_->populations.size()) - 1;
 }
 
 template <int B>
 CrowdId Crowd<B>::add(int kind) {
   crowd::Population& population = state_->populations[static_cast<std::size_t>(kind)];
-  const std::uint32_t index = population.add();
+  if (population.free.empty()) population.grow();
   state_->schedule.reserve(state_->populations);
+  const std::uint32_t index = population.take();
   ++state_->alive;
   return {static_cast<std::uint32_t>(kind), index, population.characters[index].generation};
 }

@@ -329,12 +329,13 @@ void Crowd<B>::State::pack(Population& population, std::size_t index, const floa
                            const float* place) noexcept {
   Character& character = population.characters[index];
   const std::size_t floats = population.floats(), offset = character.offset;
-  GpuRig& rig = output.rigs[static_cast<std::size_t>(character.result.rig)];
-  rig = population.data().description;
+  GpuRig rig = population.data().description;
   rig.offset = static_cast<int>(offset);
   rig.highOffset = rig.offset + static_cast<int>(floats / 4);
+  GpuRig& out = output.rigs[static_cast<std::size_t>(character.result.rig)];
   if (!character.usable) {
     rig.vectors = 0;
+    out = rig;
     return;
   }
   rig.centre = {place[0], place[1], place[2]};
@@ -349,6 +350,7 @@ void Crowd<B>::State::pack(Population& population, std::size_t index, const floa
     rig.scale = halfScale(static_cast<double>(crowd::largestOf(coefficients, floats)));
     crowd::storeHalves(coefficients, 1 / rig.scale, floats, &output.halves[offset]);
   }
+  out = rig;
   character.result.nearCount = packNear(character, population.nearOf(index));
 }
 
@@ -360,9 +362,9 @@ int Crowd<B>::State::packNear(const Character& character, std::span<const NearSl
     const float weight = slot.from + (slot.to - slot.from) * character.shown();
     const int light = crowd::findLight(lights.ids(), slot.id, slot.light);
     if (light < 0 || !(weight > 0)) continue;
-    GpuNearLight& near = output.near[static_cast<std::size_t>(character.result.nearOffset + count++)];
-    near = lights.near(light);
+    GpuNearLight near = lights.near(light);
     near.colour = {near.colour.x * weight, near.colour.y * weight, near.colour.z * weight};
+    output.near[static_cast<std::size_t>(character.result.nearOffset + count++)] = near;
   }
   return count;
 }

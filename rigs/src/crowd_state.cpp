@@ -22,15 +22,17 @@ int framesToUpdate(std::uint64_t frame, std::size_t index, int interval) noexcep
 
 }  // namespace
 
-std::uint32_t Population::add() {
-  if (free.empty()) {
-    const std::size_t count = characters.size() + 1;
-    characters.emplace_back();
-    near.resize(count * nearSlots());
-    results.resize(2 * count * floats());
-    free.reserve(characters.capacity());
-    free.push_back(static_cast<std::uint32_t>(count - 1));
-  }
+void Population::grow() {
+  const std::size_t count = characters.size() + 1;
+  if (count > characters.capacity()) characters.reserve(2 * count);
+  free.reserve(characters.capacity());
+  near.resize(count * nearSlots());
+  results.resize(2 * count * floats());
+  characters.emplace_back();
+  free.push_back(static_cast<std::uint32_t>(count - 1));
+}
+
+std::uint32_t Population::take() noexcept {
   const std::uint32_t i = free.back();
   free.pop_back();
   const std::uint32_t generation = characters[i].generation;
@@ -42,8 +44,9 @@ std::uint32_t Population::add() {
 }
 
 void Population::remove(std::uint32_t i) noexcept {
-  characters[i].alive = false;
-  ++characters[i].generation;
+  Character& c = characters[i];
+  c.alive = false;
+  if (++c.generation == 0) c.generation = 1;
   free.push_back(i);
 }
 

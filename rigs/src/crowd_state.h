@@ -12,12 +12,12 @@ namespace rigel::crowd {
 struct Character {
   CrowdInput input;
   CrowdResult result;
-  RigBox from, to;         // of the results between which it is shown
-  std::size_t offset = 0;  // vec4 in the output's coefficients
-  std::uint32_t generation = 0;
-  int interval = 1;        // that was asked for when it was last updated, or what it has come down to
-  int span = 1, step = 0;  // frames between its results, and how many are over
-  float seconds = 0;       // since the last update
+  RigBox from, to;               // of the results between which it is shown
+  std::size_t offset = 0;        // vec4 in the output's coefficients
+  std::uint32_t generation = 1;  // CrowdId{} is nobody's
+  int interval = 1;              // that was asked for when it was last updated, or what it has come down to
+  int span = 1, step = 0;        // frames between its results, and how many are over
+  float seconds = 0;             // since the last update
   bool alive = false;
   bool lit = false;     // has results to go on from
   bool kept = false;    // they are in Population::results
@@ -43,7 +43,10 @@ struct Population {
   float* fromOf(std::size_t i) noexcept { return results.data() + 2 * i * floats(); }
   float* toOf(std::size_t i) noexcept { return fromOf(i) + floats(); }
 
-  std::uint32_t add();
+  /// One more free place. All or nothing.
+  void grow();
+  /// A free place, of which there must be one.
+  std::uint32_t take() noexcept;
   void remove(std::uint32_t i) noexcept;
   std::size_t bytesPerCharacter() const noexcept;
 };

@@ -313,6 +313,7 @@ TEST_F(CrowdHardCases, CharactersAndLightsComeAndGo) {
   // Others go, and their places are taken by others yet.
   for (int c = 0; c < kCharacters; c += 3) stage_.crowd.remove(ids_[c]);
   EXPECT_FALSE(stage_.crowd.contains(ids_[0]));
+  EXPECT_FALSE(stage_.crowd.contains(CrowdId{}));
   stage_.frame(1.0f / 60);
   for (int c = 0; c < kCharacters; ++c)
     if (c % 3 != 0) {

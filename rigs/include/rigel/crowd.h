@@ -85,7 +85,7 @@ class CrowdKind {
   std::unique_ptr<const Data> data_;
 };
 
-/// A character's name; stays good until it is removed.
+/// A character's name; stays good until it is removed. CrowdId{} is nobody's.
 struct CrowdId {
   std::uint32_t kind = 0, index = 0, generation = 0;
   friend bool operator==(CrowdId, CrowdId) = default;
@@ -94,7 +94,7 @@ struct CrowdId {
 /// What moves a character, to be kept up to date by the caller between frames.
 struct CrowdInput {
   RigFrame worldFromRig;
-  std::span<const JointMatrix> palette;    // read during `frame`; the caller's
+  std::span<const JointMatrix> palette;    // the caller's; `frame` reads it where the character is updated
   std::uint32_t groups = kAllLightGroups;  // lights that share one of them (LightSet::groups) light it
   int interval = 1;     // frames from one update to the next, 1 to kMaxCrowdInterval: update rate by distance (below)
   bool visible = true;  // what is not seen is neither computed nor packed
@@ -116,7 +116,7 @@ struct CrowdLights {
 };
 
 /// The caller's memory; sizes by Crowd::outputBound. Coefficients in float32, in half floats over GpuRig::scale, or
-/// both: what is empty is not written.
+/// both: what is empty is not written. What is written is not read: it may be a GPU's, mapped.
 struct CrowdOutput {
   std::span<GpuRig> rigs;  // one a visible character, in the order of kinds and of characters in them
   std::span<GpuVec4> coefficients;
@@ -175,12 +175,14 @@ class Crowd {
 
   /// Allocates.
   int addKind(std::shared_ptr<const CrowdKind> kind);
-  /// Of a kind that addKind returned. Allocates while the kind's characters grow beyond what there were at once.
+  /// Of a kind that addKind returned. Allocates while the kind's characters grow beyond what there were at once; where
+  /// that throws, nothing has changed.
   CrowdId add(int kind);
   void remove(CrowdId id) noexcept;
   int size() const noexcept;
 
   bool contains(CrowdId id) const noexcept;
+  /// Stays where it is until the next `add`.
   CrowdInput& input(CrowdId id) noexcept;
   /// Of the last frame.
   CrowdResult result(CrowdId id) const noexcept;
