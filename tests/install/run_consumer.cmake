@@ -27,9 +27,10 @@ file(RENAME ${prefix} ${WORK_DIR}/moved)
 set(prefix ${WORK_DIR}/moved)
 
 run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${WORK_DIR}/build -G ${GENERATOR}
-  -DCMAKE_CXX_COMPILER=${CXX} -DCMAKE_PREFIX_PATH=${prefix} -DHEADER_DIR=${prefix}/include/rigel)
+  -DCMAKE_CXX_COMPILER=${CXX} -DCMAKE_C_COMPILER=${CC} -DCMAKE_PREFIX_PATH=${prefix} -DHEADER_DIR=${prefix}/include/rigel)
 run(${CMAKE_COMMAND} --build ${WORK_DIR}/build)
 run(${WORK_DIR}/build/consumer)
+run(${WORK_DIR}/build/consumer_in_c)
 
 if(TOOLS)
   execute_process(COMMAND ${prefix}/bin/rigel --version OUTPUT_VARIABLE version COMMAND_ERROR_IS_FATAL ANY)

@@ -2,7 +2,7 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-install(TARGETS rigel_shaders rigel_lights rigel_disk_tables rigel_rigs EXPORT rigel-targets)
+install(TARGETS rigel_shaders rigel_lights rigel_disk_tables rigel_rigs rigel_c EXPORT rigel-targets)
 install(DIRECTORY shaders/include/rigel lights/include/rigel disk_tables/include/rigel rigs/include/rigel TYPE INCLUDE)
 install(FILES LICENSE README.md CHANGELOG.md TYPE DOC)
 
