@@ -103,8 +103,8 @@ HWY_NOINLINE void projectPoints(const DiskBatchLight& light, const Vec3Rows& poi
     worldBlock<B>(views, moments, lanes, out, stride);
   };
   const std::size_t whole = points.size() - points.size() % Lane::kCount;
-  for (std::size_t at = 0; at < whole; at += kDiskBlock)
-    project(&points.x[at], &points.y[at], &points.z[at], std::min(kDiskBlock, whole - at), sh + at, points.size());
+  for (std::size_t at = 0; at < whole; at += kPointBlock)
+    project(&points.x[at], &points.y[at], &points.z[at], std::min(kPointBlock, whole - at), sh + at, points.size());
   if (const std::size_t rest = points.size() - whole) {
     float x[Lane::kCount] = {}, y[Lane::kCount] = {}, z[Lane::kCount] = {}, out[B * B * Lane::kCount];
     std::copy_n(&points.x[whole], rest, x);

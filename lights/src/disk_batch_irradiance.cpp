@@ -1,3 +1,6 @@
+#include <rigel/shader_disk_near.h>
+#include <rigel/wrap.h>
+
 #include <algorithm>
 #include <cassert>
 
@@ -8,9 +11,16 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "disk_batch_kernels.h"
 #include "disk_lanes.h"
 
+#include "block_lanes.h"
+#include "near_lanes.h"
+
+#undef RIGEL_SHADER_DISK_NEAR_H
 HWY_BEFORE_NAMESPACE();
+#include <rigel/shader_disk_near.h>
+
 namespace rigel::HWY_NAMESPACE {
 
 namespace {
@@ -18,18 +28,12 @@ namespace {
 /// What the points of a block see: of the cone, the normal in the frame, pi times the flux.
 enum SeenRow { kSx, kCx, kSy, kT, kU, kNx, kNy, kNz, kScale, kSeenRows };
 
-/// Packing writes a vector at a time, hence the room at the end.
-constexpr std::size_t kRoom = kDiskBlock + Lane::kCount;
-
-struct alignas(64) SeenPoints {
-  float row[kSeenRows][kRoom];
-};
-
 struct Seen {
+  using Rows = BlockRows<kSeenRows>;
   DiskCone<Lane> cone;
   Lane nx, ny, nz, scale;
 
-  HWY_INLINE Seen(const SeenPoints& from, std::size_t i)
+  HWY_INLINE Seen(const Rows& from, std::size_t i)
       : nx(Lane::load(from.row[kNx] + i)),
         ny(Lane::load(from.row[kNy] + i)),
         nz(Lane::load(from.row[kNz] + i)),
@@ -52,11 +56,19 @@ struct Seen {
     return ez * ez < ex * ex + ey * ey && scale > Lane(0.0f);
   }
 
+  HWY_INLINE Lane whole() const { return scale * max(nz, Lane(0.0f)); }
   HWY_INLINE Lane clipped() const { return scale * diskLambert(cone, nx, ny, nz); }
+
+  /// No horizon: what there is of one is in the kernel.
+  HWY_INLINE Lane wrapped(const NearWrap& wrap) const {
+    const Lane e = scale * diskWrapped(diskMoments6<kMaxBands>(cone), cone, nx, ny, nz, wrap);
+    return select(scale > Lane(0.0f), e, Lane(0.0f));
+  }
 };
 
-HWY_NOINLINE void seeBlock(const DiskBatchLight& light, const float* x, const float* y, const float* z, const float* nx,
-                           const float* ny, const float* nz, std::size_t points, SeenPoints& seen) {
+HWY_NOINLINE void seeBlock(const DiskBatchLight& light, const SurfaceRows& surface, std::size_t points,
+                           Seen::Rows& seen) {
+  const auto [x, y, z, nx, ny, nz] = surface.row;
   DiskGaps gaps;
   gapsOfBlock(light, x, y, z, points, gaps);
   for (std::size_t i = 0; i < points; i += Lane::kCount) {
@@ -74,61 +86,46 @@ HWY_NOINLINE void seeBlock(const DiskBatchLight& light, const float* x, const fl
   }
 }
 
-/// What points receive that no horizon crosses. How many others there are.
-HWY_NOINLINE std::size_t wholeBlock(const SeenPoints& seen, std::size_t points, float* irradiance) {
-  std::size_t crossed = 0;
-  for (std::size_t i = 0; i < points; i += Lane::kCount) {
-    const Seen at(seen, i);
-    (at.scale * max(at.nz, Lane(0.0f))).store(irradiance + i);
-    crossed += count(at.crossed());
-  }
-  return crossed;
+HWY_NOINLINE void wrappedBlock(const Seen::Rows& seen, std::size_t points, const NearWrap& wrap, float* irradiance) {
+  for (std::size_t i = 0; i < points; i += Lane::kCount) Seen(seen, i).wrapped(wrap).store(irradiance + i);
 }
 
-HWY_NOINLINE void clipAll(const SeenPoints& seen, std::size_t points, float* irradiance) {
-  for (std::size_t i = 0; i < points; i += Lane::kCount) Seen(seen, i).clipped().store(irradiance + i);
-}
-
-/// The points that the horizon crosses are put side by side first.
-HWY_NOINLINE void clipCrossed(const SeenPoints& seen, std::size_t points, float* irradiance) {
-  SeenPoints crossed;
-  float index[kRoom], clipped[kRoom];
-  std::size_t end = 0;
-  for (std::size_t i = 0; i < points; i += Lane::kCount) {
-    const LaneMask where = Seen(seen, i).crossed();
-    const LanePacker packer(where);
-    for (int k = 0; k < kSeenRows; ++k) packer.store(Lane::load(seen.row[k] + i), crossed.row[k] + end);
-    packer.store(hn::Iota(Lane::Tag(), static_cast<float>(i)), index + end);
-    end += count(where);
-  }
-  for (auto& row : crossed.row) Lane(0.0f).store(row + end);
-  clipAll(crossed, end, clipped);
-  for (std::size_t i = 0; i < end; ++i) irradiance[static_cast<std::size_t>(index[i])] = clipped[i];
-}
-
-HWY_NOINLINE void irradianceBlock(const DiskBatchLight& light, const float* const* rows, std::size_t at,
-                                  std::size_t points, float* irradiance) {
-  SeenPoints seen;
-  seeBlock(light, rows[0] + at, rows[1] + at, rows[2] + at, rows[3] + at, rows[4] + at, rows[5] + at, points, seen);
-  const std::size_t crossed = wholeBlock(seen, points, irradiance);
-  // Packing costs about a quarter of what clipping does.
-  if (4 * crossed > 3 * points) return clipAll(seen, points, irradiance);
-  if (crossed > 0) clipCrossed(seen, points, irradiance);
+HWY_NOINLINE void lambertBlock(const DiskBatchLight& light, const SurfaceRows& surface, std::size_t points,
+                               float* irradiance) {
+  Seen::Rows seen;
+  seeBlock(light, surface, points, seen);
+  irradianceOf<Seen>(seen, points, irradiance);
 }
 
 }  // namespace
 
+void diskIrradianceBlock(const DiskBatchLight& light, const SurfaceRows& surface, std::size_t points,
+                         const NearWrap& wrap, float* irradiance) {
+  if (wrap.a == 0) {
+    lambertBlock(light, surface, points, irradiance);
+    for (std::size_t i = 0; wrap.gain != 1 && i < points; i += Lane::kCount)
+      (Lane(wrap.gain) * Lane::load(irradiance + i)).store(irradiance + i);
+    return;
+  }
+  Seen::Rows seen;
+  seeBlock(light, surface, points, seen);
+  wrappedBlock(seen, points, wrap, irradiance);
+}
+
 void irradianceBatch(const DiskBatchLight& light, const Vec3Rows& points, const Vec3Rows& normals, float* irradiance) {
-  const float* rows[] = {points.x.data(),  points.y.data(),  points.z.data(),
-                         normals.x.data(), normals.y.data(), normals.z.data()};
+  const std::span<const float> rows[] = {points.x, points.y, points.z, normals.x, normals.y, normals.z};
+  const auto surfaceAt = [&](std::size_t at) {
+    SurfaceRows surface;
+    for (int k = 0; k < 6; ++k) surface.row[k] = rows[k].data() + at;
+    return surface;
+  };
   const std::size_t whole = points.size() - points.size() % Lane::kCount;
-  for (std::size_t at = 0; at < whole; at += kDiskBlock)
-    irradianceBlock(light, rows, at, std::min(kDiskBlock, whole - at), irradiance + at);
+  for (std::size_t at = 0; at < whole; at += kPointBlock)
+    lambertBlock(light, surfaceAt(at), std::min(kPointBlock, whole - at), irradiance + at);
   if (const std::size_t rest = points.size() - whole) {
     float in[6][Lane::kCount] = {}, out[Lane::kCount];
-    const float* const padded[] = {in[0], in[1], in[2], in[3], in[4], in[5]};
-    for (int k = 0; k < 6; ++k) std::copy_n(rows[k] + whole, rest, in[k]);
-    irradianceBlock(light, padded, 0, Lane::kCount, out);
+    for (int k = 0; k < 6; ++k) std::copy_n(rows[k].data() + whole, rest, in[k]);
+    lambertBlock(light, {{in[0], in[1], in[2], in[3], in[4], in[5]}}, Lane::kCount, out);
     std::copy_n(out, rest, irradiance + whole);
   }
 }

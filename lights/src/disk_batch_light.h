@@ -2,18 +2,17 @@
 #pragma once
 
 #include <rigel/disk_batch.h>
+#include <rigel/near_light.h>
 #include <rigel/shader_constants.h>
 #include <rigel/shader_language.h>
 
 #include <algorithm>
 #include <limits>
 
+#include "point_block.h"
 #include "vec3d.h"
 
 namespace rigel {
-
-/// Points go through the stages of a kernel in blocks, which between two stages stay in the first-level cache.
-inline constexpr std::size_t kDiskBlock = 64;
 
 struct DiskBatchLight {
   Vec3 position;
@@ -22,9 +21,15 @@ struct DiskBatchLight {
   float behind = 0;      // as GpuNearLight::cosOuter
 
   explicit DiskBatchLight(const DiskLight& light) noexcept
-      : position(light.position), axis(detail::directionOf(light.direction)), behind(light.twoSided ? -1.0f : 0.0f) {
-    const bool shines = light.radius > 0 && detail::dot(axis, axis) > 0;
-    const double radius = std::min<double>(light.radius, std::numeric_limits<float>::max());
+      : DiskBatchLight(light.position, light.direction, light.radius, light.twoSided ? -1.0f : 0.0f) {}
+  explicit DiskBatchLight(const NearLight& light) noexcept
+      : DiskBatchLight(light.position, light.axis, light.radius, light.cosOuter) {}
+
+ private:
+  DiskBatchLight(Vec3 centre, Vec3 direction, float size, float emitsBehind) noexcept
+      : position(centre), axis(detail::directionOf(direction)), behind(emitsBehind) {
+    const bool shines = size > 0 && detail::dot(axis, axis) > 0;
+    const double radius = std::min<double>(size, std::numeric_limits<float>::max());
     if (shines) perRadius = 1 / radius;
   }
 };

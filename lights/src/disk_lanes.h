@@ -23,12 +23,12 @@ HWY_BEFORE_NAMESPACE();
 
 namespace rigel::HWY_NAMESPACE {
 
-constexpr std::size_t kDiskBlockLanes = kDiskBlock / Lane::kCount;
+constexpr std::size_t kDiskBlockLanes = kPointBlock / Lane::kCount;
 
 /// What of a block's points needs more digits than floats: v . a, and |v|^2 - 1, in radii (shader_disk_view.h).
 struct alignas(64) DiskGaps {
-  float along[kDiskBlock];
-  float m[kDiskBlock];
+  float along[kPointBlock];
+  float m[kPointBlock];
 };
 
 inline HWY_NOINLINE void gapsOfBlock(const DiskBatchLight& light, const float* x, const float* y, const float* z,

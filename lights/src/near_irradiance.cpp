@@ -115,7 +115,7 @@ Rgb nearIrradiance(const NearLight& light, Vec3 p, Vec3 n, const NearWrap& wrap)
     return scaled(light.colour, light.share * detail::diskIrradiance(light, p, n, wrap));
   }
   const NearView view = viewOf(light, p, n);
-  const float e = wrap.a == 0 ? wrap.gain * outsideOrIn(view, 1, detail::lambertCap)
+  const float e = wrap.a == 0 ? wrap.gain * outsideOrIn(view, 1, detail::lambertCap<float>)
                               : outsideOrIn(view, wrap.f.x, [&](float x, float s, float c) noexcept {
                                   return detail::wrapCap(x, s, c, wrap);
                                 });

@@ -9,6 +9,7 @@
 
 #include "lane.h"
 #include "lane_estimate.h"
+#include "lane_modulation.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rigel::HWY_NAMESPACE {
@@ -40,18 +41,6 @@ struct SlopeLanes {
   Lane inverse;  // 1 / d
   Lane radial, axial;
 };
-
-/// clamp(1-(d/R)^4, 0, 1)^2.
-HWY_INLINE Lane rangeWindow(Lane square, float inverseRangeSquare) {
-  const Lane x2 = square * Lane(inverseRangeSquare);
-  const Lane u = max(negMulAdd(x2, x2, Lane(1.0f)), Lane(0.0f));
-  return u * u;
-}
-
-HWY_INLINE Lane smoothStep(Lane t) {
-  const Lane held = clamp(t, Lane(0.0f), Lane(1.0f));
-  return held * held * negMulAdd(Lane(2.0f), held, Lane(3.0f));
-}
 
 /// 1 where it holds, else 0: on some machines masks cannot lie in arrays.
 HWY_INLINE Lane oneWhere(LaneMask mask) { return select(mask, Lane(1.0f), Lane(0.0f)); }

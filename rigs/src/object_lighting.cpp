@@ -1,4 +1,7 @@
+#include <rigel/near_batch.h>
 #include <rigel/object_lighting.h>
+
+#include <algorithm>
 
 #include "object_lighting_state.h"
 
@@ -99,9 +102,9 @@ const HighBand& ObjectLighting<B>::highBand() const noexcept {
 }
 
 template <int B>
-auto ObjectLighting<B>::shade(Vec3 p, Vec3 n, const MaterialWrap<B>& wrap) const noexcept -> Parts {
+Rgb ObjectLighting<B>::rigIrradiance(Vec3 p, Vec3 n, const MaterialWrap<B>& wrap) const noexcept {
   const State& s = *state_;
-  Parts parts;
+  Rgb out;
   if (s.active > 0) {
     RigBasis basis;
     s.rig.basis(s.frame.inversePoint(p), basis);
@@ -111,17 +114,44 @@ auto ObjectLighting<B>::shade(Vec3 p, Vec3 n, const MaterialWrap<B>& wrap) const
       const float* c = s.coefficients[basis.index[j]].data();
       for (int i = 0; i < 3 * shCount(B); ++i) sum.data()[i] += basis.value[j] * c[i];
     }
-    parts.rig = rigel::irradiance<B>(sum, wrap.bands, n);
+    out = rigel::irradiance<B>(sum, wrap.bands, n);
   }
   if (s.high.band > 0) {
     float y[shCount(kMaxBands)];
     shBasis<kMaxBands>(n, y);
     const int l = s.high.band;
     const float scale = static_cast<float>(kPi) * wrap.allBands[l];
-    for (int i = 0; i < 2 * l + 1; ++i) parts.rig += s.high.c[i] * (scale * y[l * l + i]);
+    for (int i = 0; i < 2 * l + 1; ++i) out += s.high.c[i] * (scale * y[l * l + i]);
   }
-  for (const NearLight& light : s.near) parts.near += nearIrradiance(light, p, n, wrap.near);
+  return out;
+}
+
+template <int B>
+auto ObjectLighting<B>::shade(Vec3 p, Vec3 n, const MaterialWrap<B>& wrap) const noexcept -> Parts {
+  Parts parts{rigIrradiance(p, n, wrap), {}};
+  for (const NearLight& light : state_->near) parts.near += nearIrradiance(light, p, n, wrap.near);
   return parts;
+}
+
+template <int B>
+void ObjectLighting<B>::shade(const Vec3Rows& points, const Vec3Rows& normals, const MaterialWrap<B>& wrap,
+                              std::span<Parts> out) const noexcept {
+  constexpr std::size_t kBlock = 256;
+  float near[3 * kBlock];
+  for (std::size_t at = 0; at < points.size(); at += kBlock) {
+    const std::size_t count = std::min(kBlock, points.size() - at);
+    const auto blockOf = [&](const Vec3Rows& rows) -> Vec3Rows {
+      return {rows.x.subspan(at, count), rows.y.subspan(at, count), rows.z.subspan(at, count)};
+    };
+    const Vec3Rows p = blockOf(points), n = blockOf(normals);
+    if (!state_->near.empty()) nearIrradianceBatch(state_->near, p, n, wrap.near, std::span(near).first(3 * count));
+    for (std::size_t k = 0; k < count; ++k) {
+      Parts& parts = out[at + k];
+      parts.rig = rigIrradiance({p.x[k], p.y[k], p.z[k]}, {n.x[k], n.y[k], n.z[k]}, wrap);
+      parts.near = {};
+      if (!state_->near.empty()) parts.near = {near[k], near[count + k], near[2 * count + k]};
+    }
+  }
 }
 
 template class ObjectLighting<2>;

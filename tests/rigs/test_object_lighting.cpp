@@ -65,6 +65,29 @@ TEST(ObjectLighting, DistantLightsAreAllThere) {
   worst.expectWithin(1e-3);  // the lights' own variation over the object, at 1e4 m, and auto's few coefficients
 }
 
+TEST(ObjectLighting, ManyPointsAsOneAfterAnother) {
+  const Body& body = testBody();
+  LitBody<3> lit("poly:6", body, optionsOf(Kind::totalError, 0.03, 3));
+  lit.lighting.light(lightsAround(1, 60), 1.0f / 60);
+  ASSERT_FALSE(lit.lighting.nearLights().empty());
+  std::vector<float> rows[6];
+  for (std::size_t p = 0; p < body.points.size(); ++p)
+    for (int axis = 0; axis < 3; ++axis) {
+      rows[axis].push_back(lit.world(p)[axis]);
+      rows[3 + axis].push_back(body.normals[p][axis]);
+    }
+  for (const float wrap : {0.0f, 0.3f}) {
+    const MaterialWrap<3> material(wrap);
+    std::vector<ObjectLighting<3>::Parts> all(body.points.size());
+    lit.lighting.shade({rows[0], rows[1], rows[2]}, {rows[3], rows[4], rows[5]}, material, all);
+    for (std::size_t p = 0; p < all.size(); ++p) {
+      const auto one = lit.lighting.shade(lit.world(p), body.normals[p], material);
+      EXPECT_EQ(all[p].rig, one.rig);
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(all[p].near[c], one.near[c], 1e-5f * (1 + one.near.r)) << p;
+    }
+  }
+}
+
 TEST(ObjectLighting, VerdictsAreConsistent) {
   for (const std::string spec : {"auto", "poly:6", "constant"})
     for (const LightingOptions& options :

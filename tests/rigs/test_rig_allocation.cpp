@@ -165,6 +165,9 @@ TEST(RigAllocation, ObjectLightingAllocatesNothingAfterItsFirstFrame) {
         lighting->light(lights, 1.0f / 60);
       }
       (void)lighting->shade({}, {0, 1, 0}, MaterialWrap<3>(0));
+      constexpr float kZero[2] = {0, 0}, kOne[2] = {1, 1};
+      ObjectLighting<3>::Parts parts[2];
+      lighting->shade({kZero, kZero, kZero}, {kZero, kOne, kZero}, MaterialWrap<3>(0.5f), parts);
       if (frame > 0) counted += allocations - before;
     }
     EXPECT_EQ(counted, 0) << spec << ", target " << static_cast<int>(options.target.kind) << ", slots "

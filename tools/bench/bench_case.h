@@ -36,6 +36,9 @@ void addLimitCases(std::vector<BenchCase>& cases);
 /// Lights projected at points, in vectors, beside the textbook's form.
 void addProjectionCases(std::vector<BenchCase>& cases);
 
+/// Lights evaluated at points one by one against exact irradiance in double, and at many points in vectors.
+void addNearCases(std::vector<BenchCase>& cases);
+
 /// Bounds of lights' errors: made for a rig in a pose, and asked about a light.
 void addBoundCases(std::vector<BenchCase>& cases);
 

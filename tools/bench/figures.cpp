@@ -3,8 +3,6 @@
 #include "bench/baselines.h"
 #include "bench/bench_case.h"
 
-#include <rigel/exact.h>
-#include <rigel/near_light.h>
 #include <rigel/rig_light.h>
 
 #include <algorithm>
@@ -77,63 +75,6 @@ void addRigCases(std::vector<BenchCase>& cases) {
                          }
                      }});
   }
-}
-
-/// Lights a hand's breadth to a metre off the body; as seen from its surface r/d is 0.05 to 0.5.
-LightSet nearLightSet(bool spots) {
-  LightSet lights;
-  for (int i = 0; i < 8; ++i) {
-    const float phi = 0.8f * static_cast<float>(i);
-    const float distance = 0.5f + 0.1f * static_cast<float>(i);
-    const Vec3 p{distance * std::cos(phi), 0.2f * static_cast<float>(i - 4), distance * std::sin(phi)};
-    if (spots)
-      lights.add(SpotLight{p, -p, {30, 20, 10}, 0.4f, 0.9f, 0.05f, 10});
-    else
-      lights.add(SphereLight{p, 0.1f, {30, 20, 10}});
-  }
-  return lights;
-}
-
-/// One near light at one point, against exact irradiance in double.
-void addNearCases(std::vector<BenchCase>& cases) {
-  const auto surface = std::make_shared<std::vector<Vec3>>(bodySurface());
-  const double items = 8 * static_cast<double>(surface->size());
-  const auto addCase = [&](const std::string& name, const std::string& baseline, bool spots, auto evaluateOne) {
-    const auto lights = std::make_shared<LightSet>(nearLightSet(spots));
-    const auto near = std::make_shared<std::vector<NearLight>>();
-    for (int i = 0; i < lights->size(); ++i)
-      near->push_back(lights->visit(i, [](const auto& light) { return nearLight(light); }));
-    cases.push_back({name, "ns/light/point", items, 1, baseline, [=](benchmark::State& state) {
-                       for (auto _ : state)
-                         for (Vec3 p : *surface) {
-                           const Vec3 n = p * (1 / length(p));
-                           for (int i = 0; i < lights->size(); ++i) {
-                             auto e = evaluateOne(*lights, (*near)[i], i, p, n);
-                             benchmark::DoNotOptimize(e);
-                           }
-                         }
-                     }});
-  };
-  const auto exact = [](float wrap) {
-    return [wrap](const LightSet& lights, const NearLight&, int i, Vec3 p, Vec3 n) {
-      return lights.visit(i, [&](const auto& light) { return exactIrradiance(light, p, n, wrap); });
-    };
-  };
-  const auto runtime = [](float wrap) {
-    return [prepared = nearWrap(wrap)](const LightSet&, const NearLight& light, int, Vec3 p, Vec3 n) {
-      return nearIrradiance(light, p, n, prepared);
-    };
-  };
-  const auto cheap = [](const LightSet&, const NearLight& light, int, Vec3 p, Vec3 n) {
-    return cheapIrradiance(light, p, n);
-  };
-  addCase("near.exact_sphere", "", false, exact(0));
-  addCase("near.exact_wrap", "", false, exact(0.3f));
-  addCase("near.exact_spot", "", true, exact(0));
-  addCase("near.sphere", "near.exact_sphere", false, runtime(0));
-  addCase("near.sphere.cheap", "near.exact_sphere", false, cheap);
-  addCase("near.wrap", "near.exact_wrap", false, runtime(0.3f));
-  addCase("near.spot", "near.exact_spot", true, runtime(0));
 }
 
 std::vector<BenchCase> allCases() {

@@ -4,6 +4,7 @@
 
 #include <rigel/glm.h>
 
+#include <algorithm>
 #include <chrono>
 
 namespace rigel::tools {
@@ -104,10 +105,12 @@ class RunnerOf final : public RigRunner {
     const auto start = std::chrono::steady_clock::now();
     MaterialWrap<B> material;
     float materialWrap = 0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      if (wrap[i] != materialWrap) material = MaterialWrap<B>(materialWrap = wrap[i]);
-      const auto parts = lighting_.shade(points[i].position, points[i].normal, material);
-      out[i] = {parts.rig, parts.near};
+    for (std::size_t first = 0, last = 0; first < points.size(); first = last) {
+      if (wrap[first] != materialWrap) material = MaterialWrap<B>(materialWrap = wrap[first]);
+      const std::size_t end = std::min(points.size(), first + kRun);
+      do ++last;
+      while (last < end && wrap[last] == wrap[first]);
+      shadeRun(points.subspan(first, last - first), material, out.subspan(first));
     }
     return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
   }
@@ -165,6 +168,24 @@ class RunnerOf final : public RigRunner {
   GpuRig packTexels(std::span<Vec4> texels) const {
     return rigel::packTexture<B>(lighting_.rig(), frame_, lighting_.coefficients(), texels);
   }
+
+  /// At most kRun points of one material.
+  void shadeRun(std::span<const PointAndNormal> points, const MaterialWrap<B>& material, std::span<Shaded> out) const {
+    float rows[6][kRun];
+    typename ObjectLighting<B>::Parts parts[kRun];
+    for (std::size_t i = 0; i < points.size(); ++i)
+      for (int axis = 0; axis < 3; ++axis) {
+        rows[axis][i] = points[i].position[axis];
+        rows[3 + axis][i] = points[i].normal[axis];
+      }
+    const auto rowsFrom = [&](int first) -> Vec3Rows {
+      return {{rows[first], points.size()}, {rows[first + 1], points.size()}, {rows[first + 2], points.size()}};
+    };
+    lighting_.shade(rowsFrom(0), rowsFrom(3), material, std::span(parts).first(points.size()));
+    for (std::size_t i = 0; i < points.size(); ++i) out[i] = {parts[i].rig, parts[i].near};
+  }
+
+  static constexpr std::size_t kRun = 256;
 
   ObjectLighting<B> lighting_;
   RigFrame frame_;

@@ -8,6 +8,7 @@
 #include <rigel/near_far.h>
 #include <rigel/near_light.h>
 #include <rigel/rig_light.h>
+#include <rigel/vec3_rows.h>
 
 #include <cstdint>
 #include <memory>
@@ -28,8 +29,9 @@ struct LightingTarget {
   float value = 0;
 };
 
-/// Modelled time [ns] of shading one point, so that choices depend on no clock. The defaults are those of `shade` on
-/// one CPU core (`rigel bench --filter shade`, `--filter near`); a GPU's ratios are the caller's to measure.
+/// Modelled time [ns] of shading one point, so that choices depend on no clock. The defaults are those of `shade` at
+/// one point on one CPU core (`rigel bench --filter shade`, `--filter near`), where near lights cost what they do
+/// beside a shader's rig; at many points they cost a tenth. A GPU's ratios are the caller's to measure.
 struct CostModel {
   float base = 42;       // a rig at all: the normal's SH basis and the convolution
   float vector = 1.8f;   // each SH vector of the rig
@@ -137,8 +139,14 @@ class ObjectLighting {
   };
   Parts shade(Vec3 p, Vec3 n, const MaterialWrap<B>& wrap) const noexcept;
 
+  /// The same at many points, the near lights in vectors (near_batch.h): to rounding what one point after another
+  /// gives.
+  void shade(const Vec3Rows& points, const Vec3Rows& normals, const MaterialWrap<B>& wrap,
+             std::span<Parts> out) const noexcept;
+
  private:
   struct State;
+  Rgb rigIrradiance(Vec3 p, Vec3 n, const MaterialWrap<B>& wrap) const noexcept;
   explicit ObjectLighting(std::unique_ptr<State> state) noexcept;
   std::unique_ptr<State> state_;
 };

@@ -5,9 +5,9 @@
 //
 // Text that is generic in Real is a template in C++, for float, double, dual numbers and SIMD lanes; GLSL takes it with
 // Real = float and Bands = 5, and leaves out what nobody reads.
-// It has no branch on a Real but rigel_select, and no built-in function but sqrt, abs, min, max and clamp. A file of
-// such text can be compiled into another namespace, with other attributes, by defining RIGEL_SHADER_NAMESPACE and
-// RIGEL_FUNCTION anew and taking its guard away.
+// It has no branch on a Real but rigel_select, and `if (rigel_all(...))` around what is left out for speed alone; and no
+// built-in function but sqrt, abs, min, max and clamp. A file of such text can be compiled into another namespace, with
+// other attributes, by defining RIGEL_SHADER_NAMESPACE and RIGEL_FUNCTION anew and taking its guard away.
 #ifndef RIGEL_SHADER_LANGUAGE_H
 #define RIGEL_SHADER_LANGUAGE_H
 
@@ -35,6 +35,7 @@
 #define RIGEL_BANDED(function) function<Bands>
 
 #define rigel_select select
+#define rigel_all all
 
 namespace rigel::detail {
 
@@ -54,6 +55,8 @@ template <class Real>
 inline Real select(bool condition, const Real& yes, const Real& no) noexcept {
   return condition ? yes : no;
 }
+/// In all lanes, of which a number has one.
+inline bool all(bool condition) noexcept { return condition; }
 inline uint floatBitsToUint(float x) noexcept { return std::bit_cast<uint>(x); }
 inline float uintBitsToFloat(uint bits) noexcept { return std::bit_cast<float>(bits); }
 
@@ -74,6 +77,7 @@ inline float uintBitsToFloat(uint bits) noexcept { return std::bit_cast<float>(b
 #define RIGEL_BANDED(function) function
 
 float rigel_select(bool condition, float yes, float no) { return condition ? yes : no; }
+bool rigel_all(bool condition) { return condition; }
 
 #endif
 
