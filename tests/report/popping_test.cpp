@@ -19,6 +19,8 @@ constexpr double kSlow = 60, kFast = 480;  // frames a second
 // Of the leap at kSlow: twice an eighth over a whole clip; a short section has fewer frames to take the largest from.
 // Worst measured: street, poly:6 --near 4, 0.233; in a section dragon, mixed:l3,g,c --near 2, 0.226.
 constexpr double kAllowed = 0.25, kAllowedInSection = 0.3;
+// The rig's part alone, without the near lights that make up for it: gallery, mixed:l3,g,c --near 2, 0.253.
+constexpr double kAllowedOfRig = 0.3;
 // Leaps below this are float rounding of near lights, which does not shrink with the frames; of the mean light. Worst
 // measured 3e-4.
 constexpr double kNoise = 2e-3;
@@ -125,7 +127,7 @@ TEST_P(Popping, LeapsShrinkWithTheFrames) {
     ++compared;
     EXPECT_TRUE(shrinks(at60.error, at480.error, allowed))
         << choice.name << ": " << at60.error << " at 60 Hz, " << at480.error << " at 480 Hz";
-    EXPECT_TRUE(shrinks(at60.rig, at480.rig, allowed))
+    EXPECT_TRUE(shrinks(at60.rig, at480.rig, kAllowedOfRig))
         << choice.name << ", the rig's part: " << at60.rig << " at 60 Hz, " << at480.rig << " at 480 Hz";
   }
   EXPECT_EQ(compared, 7);
