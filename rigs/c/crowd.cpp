@@ -44,7 +44,8 @@ bool isPlacement(const RigFrame& f) noexcept {
 
 rigel_result checkPalette(const Call& call, const rigel_character_desc& desc, int joints) noexcept {
   if (const auto e = call.array(desc.palette, desc.joint_count, "palette"); e != RIGEL_OK) return e;
-  if ((desc.flags & RIGEL_HIDDEN) != 0 || desc.joint_count >= static_cast<std::size_t>(joints)) return RIGEL_OK;
+  if ((desc.flags & RIGEL_CHARACTER_HIDDEN) != 0 || desc.joint_count >= static_cast<std::size_t>(joints))
+    return RIGEL_OK;
   return call.fail(RIGEL_ERROR_VALUE, "joint_count is %zu, the kind has %d joints", desc.joint_count, joints);
 }
 
@@ -54,7 +55,7 @@ rigel_result check(const Call& call, const rigel_character_desc& desc, int joint
     return call.value("world_from_rig is not finite, or not a rotation and a place");
   if (desc.interval < 1 || desc.interval > RIGEL_MAX_INTERVAL)
     return call.fail(RIGEL_ERROR_VALUE, "interval is %u, not 1 to %u", desc.interval, RIGEL_MAX_INTERVAL);
-  if ((desc.flags & ~(RIGEL_HIDDEN | RIGEL_CUT)) != 0) return call.value("flags has unknown bits");
+  if ((desc.flags & ~(RIGEL_CHARACTER_HIDDEN | RIGEL_CHARACTER_CUT)) != 0) return call.value("flags has unknown bits");
   if (desc.reserved != 0) return call.value("reserved is not 0");
   return RIGEL_OK;
 }
@@ -64,8 +65,8 @@ void set(CrowdInput& input, const rigel_character_desc& desc) noexcept {
   input.palette = {reinterpret_cast<const JointMatrix*>(desc.palette), desc.joint_count};
   input.groups = desc.groups;
   input.interval = static_cast<int>(desc.interval);
-  input.visible = (desc.flags & RIGEL_HIDDEN) == 0;
-  input.cut = input.cut || (desc.flags & RIGEL_CUT) != 0;
+  input.visible = (desc.flags & RIGEL_CHARACTER_HIDDEN) == 0;
+  input.cut = input.cut || (desc.flags & RIGEL_CHARACTER_CUT) != 0;
 }
 
 rigel_result create(const Call& call, const rigel_crowd_desc& desc, rigel_crowd** out) {

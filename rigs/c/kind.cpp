@@ -23,8 +23,8 @@ rigel_result check(const Call& call, const rigel_kind_desc& desc) noexcept {
     return call.fail(RIGEL_ERROR_VALUE, "skin_count is %zu, surface_count %zu", desc.skin_count, desc.surface_count);
   if (const std::size_t bad = firstBadSkin(desc); bad < desc.skin_count)
     return call.fail(RIGEL_ERROR_VALUE, "weights of skin %zu do not sum to 1", bad);
-  if (desc.near_slots > RIGEL_MAX_NEAR)
-    return call.fail(RIGEL_ERROR_VALUE, "near_slots is %u, more than %u", desc.near_slots, RIGEL_MAX_NEAR);
+  if (desc.near_slots > RIGEL_MAX_NEAR_SLOTS)
+    return call.fail(RIGEL_ERROR_VALUE, "near_slots is %u, more than %u", desc.near_slots, RIGEL_MAX_NEAR_SLOTS);
   if (!(desc.tolerance >= 0) || !isFinite(desc.tolerance)) return call.value("tolerance is negative or not finite");
   if (!(desc.weight_rate >= 0) || !isFinite(desc.weight_rate))
     return call.value("weight_rate is negative or not finite");

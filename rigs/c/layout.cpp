@@ -14,9 +14,9 @@ using rigel::GpuRig;
 
 static_assert(sizeof(rigel_vec4) == sizeof(rigel::GpuVec4) && sizeof(rigel_half4) == sizeof(rigel::GpuHalf4));
 static_assert(sizeof(rigel_transform) == sizeof(rigel::JointMatrix));
-static_assert(RIGEL_MAX_NEAR == rigel::kMaxCrowdNear && RIGEL_MAX_INTERVAL == rigel::kMaxCrowdInterval);
-static_assert(RIGEL_ALL_GROUPS == rigel::kAllLightGroups && int{RIGEL_STAGES} == rigel::kCrowdStages);
-static_assert(int{RIGEL_PACK} == static_cast<int>(rigel::CrowdStage::pack));
+static_assert(RIGEL_MAX_NEAR_SLOTS == rigel::kMaxCrowdNear && RIGEL_MAX_INTERVAL == rigel::kMaxCrowdInterval);
+static_assert(RIGEL_ALL_GROUPS == rigel::kAllLightGroups && int{RIGEL_STAGE_COUNT} == rigel::kCrowdStages);
+static_assert(int{RIGEL_STAGE_PACK} == static_cast<int>(rigel::CrowdStage::pack));
 
 static_assert(sizeof(rigel_gpu_rig) == sizeof(GpuRig));
 RIGEL_SAME(rigel_gpu_rig, centre, GpuRig, centre);

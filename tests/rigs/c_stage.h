@@ -109,7 +109,7 @@ inline rigel_character_desc cInput(const CrowdInput& input) {
     for (int c = 0; c < 4; ++c) desc.world_from_rig.m[r][c] = columns[c][r];
   desc.groups = input.groups;
   desc.interval = static_cast<std::uint32_t>(input.interval);
-  desc.flags = (input.visible ? 0 : RIGEL_HIDDEN) | (input.cut ? RIGEL_CUT : 0);
+  desc.flags = (input.visible ? 0 : RIGEL_CHARACTER_HIDDEN) | (input.cut ? RIGEL_CHARACTER_CUT : 0);
   return desc;
 }
 

@@ -98,7 +98,7 @@ static void pose(Stage* stage, int frame) {
     desc.joint_count = kJoints;
     desc.world_from_rig.m[0][3] = 2.0f * (float)i;
     desc.interval = i % 2 == 0 ? 1 : 4;
-    desc.flags = i == kWalkers - 1 ? RIGEL_HIDDEN : 0;
+    desc.flags = i == kWalkers - 1 ? RIGEL_CHARACTER_HIDDEN : 0;
     CHECK(rigel_set_character(stage->crowd, stage->walkers[i], &desc) == RIGEL_OK);
   }
 }

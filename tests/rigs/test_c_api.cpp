@@ -69,6 +69,16 @@ struct Twins {
     const rigel_character_desc desc = cInput(input);
     EXPECT_EQ(rigel_set_character(c.crowd.get(), characters[i], &desc), RIGEL_OK) << rigel_get_last_error();
   }
+  /// Every character by `set(i)`, half of them on another thread.
+  template <class Set>
+  void setAll(Set setOne) {
+    const auto half = [&](std::size_t first) {
+      for (std::size_t i = first; i < ids.size(); i += 2) setOne(i);
+    };
+    std::thread other(half, 1);
+    half(0);
+    other.join();
+  }
   void frame(float seconds, int number) {
     cpp.lights = allKindsOfLight(0.1f * static_cast<float>(number));
     cpp.ids.clear();
@@ -100,7 +110,7 @@ TEST(CApi, GivesTheBitsOfCrowd) {
   twins.makeRoom();
   std::vector<std::vector<JointMatrix>> palettes(twins.ids.size());
   for (int f = 0; f < 6; ++f) {
-    for (std::size_t i = 0; i < twins.ids.size(); ++i) {
+    twins.setAll([&](std::size_t i) {
       const float t = static_cast<float>(i) + 0.1f * static_cast<float>(f);
       CrowdInput input;
       input.worldFromRig = turned(t, {std::fmod(t, 3.0f), 0, std::fmod(2 * t, 3.0f)});
@@ -115,7 +125,7 @@ TEST(CApi, GivesTheBitsOfCrowd) {
       // A flag that the next call does not set again holds all the same.
       input.cut = false;
       twins.set(i, input);
-    }
+    });
     twins.frame(f == 5 ? 0 : 1.0f / 60, f);
   }
   rigel_crowd_info info = RIGEL_CROWD_INFO_INIT;
@@ -201,7 +211,7 @@ TEST_F(CApiHardCases, KindsThatCannotBe) {
   expect(RIGEL_ERROR_VALUE, "larger than any array", [](auto& d) { d.surface_count = ~std::size_t{0}; });
   expect(RIGEL_ERROR_VALUE, "skin_count is 12", [](auto& d) { d.skin_count = 12; });
   expect(RIGEL_ERROR_VALUE, "box", [](auto& d) { std::swap(d.box_lo, d.box_hi); });
-  expect(RIGEL_ERROR_VALUE, "near_slots is 9", [](auto& d) { d.near_slots = RIGEL_MAX_NEAR + 1; });
+  expect(RIGEL_ERROR_VALUE, "near_slots is 9", [](auto& d) { d.near_slots = RIGEL_MAX_NEAR_SLOTS + 1; });
   expect(RIGEL_ERROR_VALUE, "tolerance", [](auto& d) { d.tolerance = kNan; });
   expect(RIGEL_ERROR_VALUE, "tolerance", [](auto& d) { d.tolerance = -1; });
   expect(RIGEL_ERROR_VALUE, "weight_rate", [](auto& d) { d.weight_rate = kInfinity; });

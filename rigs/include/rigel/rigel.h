@@ -111,7 +111,7 @@ typedef struct rigel_vec4 {
 typedef struct rigel_kind rigel_kind;
 
 /// Most near lights of a character.
-#define RIGEL_MAX_NEAR 8u
+#define RIGEL_MAX_NEAR_SLOTS 8u
 
 typedef struct rigel_kind_desc {
   size_t size;
@@ -147,8 +147,8 @@ typedef struct rigel_kind_info {
 
 rigel_result rigel_get_kind_info(const rigel_kind* kind, rigel_kind_info* info);
 
-// Lights. <rigel/light.h> has their formulas. A direction need not be unit; without one (0, 0, 0) there is no light,
-// nor with a range or a sphere's or disk's radius of 0.
+// Lights. <rigel/light.h> has their formulas; angles are in radians. Directions need not be unit; there is no light
+// where one has no length, nor with a range, or a sphere's or disk's radius, of 0.
 
 /// `id`: the light's name from frame to frame, other than that of each other light: by it near lights fade.
 typedef struct rigel_directional_light {
@@ -256,8 +256,8 @@ rigel_result rigel_add_character(rigel_crowd* crowd, const rigel_kind* kind, rig
 rigel_result rigel_remove_character(rigel_crowd* crowd, rigel_character character);
 
 /// Flags of a character.
-#define RIGEL_HIDDEN 1u  // neither computed nor written
-#define RIGEL_CUT 2u     // moved at once, not step by step: until the next frame is done, nothing of it fades
+#define RIGEL_CHARACTER_HIDDEN 1u  // neither computed nor written
+#define RIGEL_CHARACTER_CUT 2u     // moved at once, not step by step: until the next frame is done, nothing of it fades
 
 /// Most frames from one update of a character to the next.
 #define RIGEL_MAX_INTERVAL 64u
@@ -349,8 +349,8 @@ typedef struct rigel_clock {
   void* context;
 } rigel_clock;
 
-/// Buffers are written front to back as far as is used, and never read: they may be mapped memory of a GPU.
-/// Coefficients in floats, in half floats, or both; a buffer that is NULL, with a capacity of 0, is not written.
+/// Buffers are written as far as they are used, and never read: they may be mapped memory of a GPU. Coefficients in
+/// floats, in half floats, or both; a buffer that is NULL, with a capacity of 0, is not written.
 typedef struct rigel_frame_desc {
   size_t size;
   const rigel_lights* lights;
@@ -371,7 +371,15 @@ typedef struct rigel_frame_desc {
   { sizeof(rigel_frame_desc), NULL, NULL, 0, NULL, 0, NULL, 0, NULL, 0, {NULL, NULL}, {NULL, NULL}, 0, 0 }
 
 /// Stages of rigel_frame_info::ticks.
-enum { RIGEL_POSE, RIGEL_REFRESH, RIGEL_RANK, RIGEL_PROJECT, RIGEL_FIT, RIGEL_PACK, RIGEL_STAGES };
+enum {
+  RIGEL_STAGE_POSE,
+  RIGEL_STAGE_REFRESH,
+  RIGEL_STAGE_RANK,
+  RIGEL_STAGE_PROJECT,
+  RIGEL_STAGE_FIT,
+  RIGEL_STAGE_PACK,
+  RIGEL_STAGE_COUNT
+};
 
 typedef struct rigel_frame_info {
   size_t size;
@@ -379,7 +387,7 @@ typedef struct rigel_frame_info {
   uint32_t updated;   ///< fitted anew; the others go on from one update to the next
   uint32_t unusable;  ///< of these, with a palette that is not finite: dark until it is
   uint32_t reserved;
-  uint64_t ticks[RIGEL_STAGES];  ///< of the clock, summed over threads
+  uint64_t ticks[RIGEL_STAGE_COUNT];  ///< of the clock, summed over threads
 } rigel_frame_info;
 #define RIGEL_FRAME_INFO_INIT                                  \
   {                                                            \
