@@ -1,5 +1,6 @@
 // How wrong rigs would be about each light, a character a lane.
 #include "crowd_block.h"
+#include "weights.h"
 
 #include <algorithm>
 #include <bit>
@@ -76,13 +77,12 @@ HWY_INLINE Directed directed(const RankRows& lights, int i, const Vec* c, Vec ra
   if (!(lights.row[RankRows::disk][i] > 0))
     return {smooth(held(hn::Mul(hn::Sub(cosine, at(RankRows::cosOuter)), at(RankRows::inverseWidth)))), zero};
 
-  // As `contact` of light_bound.h.
-  constexpr float kOuter = 0.9f, kInner = 0.2f;
   const Vec across = hn::Sqrt(hn::Max(hn::NegMulAdd(height, height, square), zero));
   const Vec outside = hn::Max(hn::Sub(across, at(RankRows::radius)), zero);
   const Vec face = hn::Sqrt(hn::MulAdd(outside, outside, hn::Mul(height, height)));
   const Vec gap = hn::Div(hn::Max(hn::Sub(face, radius), zero), hn::Max(radius, set(1e-30f)));
-  return {hn::Max(cosine, zero), smooth(held(hn::Mul(hn::Sub(set(kOuter), gap), set(1 / (kOuter - kInner)))))};
+  return {hn::Max(cosine, zero),
+          smooth(held(hn::Mul(hn::Sub(set(kContactOuter), gap), set(1 / (kContactOuter - kContactInner)))))};
 }
 
 template <int Degree, bool AnyDirected>

@@ -11,6 +11,7 @@
 #include "interpolation_bound.h"
 #include "sample_bound.h"
 #include "value_range.h"
+#include "weights.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,9 +54,8 @@ class DiskBound {
   // Of the object's radius: how far behind the plane its light is faded in.
   static constexpr double kMargin = 0.1;
 
-  /// In time for weights that move at a limited rate.
   float contact() const noexcept {
-    constexpr double kOuter = 0.9, kInner = 0.2;
+    constexpr double kOuter = double{kContactOuter}, kInner = double{kContactInner};
     if (!(plan_.radius > 0)) return 0;
     const double x = std::clamp((kOuter * plan_.radius - served_.gap) / ((kOuter - kInner) * plan_.radius), 0.0, 1.0);
     return static_cast<float>(x * x * (3 - 2 * x));

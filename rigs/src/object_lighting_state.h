@@ -196,6 +196,7 @@ struct ObjectLighting<B>::State {
     for (std::size_t i = 0; i < candidates.size(); ++i) {
       const float x = next > 0 ? std::clamp(4 * (ranks[candidates[i]] / next - 1), 0.0f, 1.0f) : 1;
       check.rows.fade[i] = x * x * (3 - 2 * x);
+      check.rows.contact[i] = contacts[candidates[i]];
     }
   }
 
@@ -255,6 +256,7 @@ struct ObjectLighting<B>::State {
     r.kind = options.target.kind;
     r.vectors = adaptive() ? 0 : rig.shVectors();
     r.highBand = r.kind != LightingTarget::Kind::spatialError && check.rows.highCount > 0;
+    r.held = lastPick;
     r.cost = options.cost;
     const bool total = r.kind == LightingTarget::Kind::totalError;
     r.spatialMargin = !adaptive() ? lighting::kFixedMargin
@@ -269,14 +271,19 @@ struct ObjectLighting<B>::State {
               LightingProbe probe) {
     const bool cut = fresh || !(seconds > 0 && std::isfinite(seconds));
     fresh = false;
+    if (cut) lastPick.reset();
     const TradeOff::Request wanted = request(cut ? lastTarget = target : limitedTarget(target, seconds));
     tradeOff.choose(wanted, choice);
+    lastPick = choice.pick;
     lightWeights.assign(lights.size(), 0);
     for (std::size_t i = 0; i < candidates.size(); ++i) lightWeights[candidates[i]] = choice.weights[i];
     for (std::size_t i = 0; i < lightWeights.size(); ++i) {
       lightWeights[i] = std::max(lightWeights[i], contacts[i]);
       urgent[i] = std::max(urgent[i], peaks[i]);
     }
+    // No light leaves before the rig can take it.
+    if (adaptive() && slots == kMaxNearLights)
+      nearFar.options().fallShare = kFallShare * tradeOff.readiness(choice, lastCoefficients);
     nearFar.follow(lightWeights, ids, seconds, urgent);
     candidateWeights.resize(candidates.size());
     for (std::size_t i = 0; i < candidates.size(); ++i) candidateWeights[i] = nearFar.weights()[candidates[i]];
@@ -293,7 +300,7 @@ struct ObjectLighting<B>::State {
     lighting::finish(probe, LightingStage::choose);
 
     if (adaptive()) {
-      TradeOff::coefficientWeights(farError, choice, coefficientWeights);
+      tradeOff.coefficientWeights(farError, choice, coefficientWeights);
       active = limitCoefficients(cut, seconds);
       check.nested()->synthesise(farError.field.data(), 3 * shCount(B), std::span(coefficientWeights).first(active),
                                  coefficients[0].data());
@@ -377,6 +384,7 @@ struct ObjectLighting<B>::State {
   float nanoseconds = 0;
   bool fresh = true;  // nothing to be continuous with
   float lastTarget = 0, lastHighBand = 0;
+  std::optional<TradeOff::Pick> lastPick;
   std::vector<float> lastCoefficients;
   std::optional<float> spatialEstimate, totalEstimate;
 };

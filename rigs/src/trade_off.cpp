@@ -13,15 +13,15 @@ namespace {
 constexpr int kReferenceTerms = 6;  // a light's error is judged against a rig of this many coefficients
 // Levels reach down to this share of the largest error; a light below it stays in the rig.
 constexpr float kLeastLevel = 1e-12f;
-// A coefficient counts fully where the error without it is 1.3 times the target, not at all below 0.7 times.
+// A coefficient counts fully where the error without it is 0.9 times the target, not at all below 0.7 times: one that
+// is evaluated costs as much in part.
 constexpr float kActivation = 0.1f;
-constexpr float kFadeFrom = 0.7f, kFadeWidth = 0.6f;
+constexpr float kFadeFrom = 0.7f, kFadeWidth = 0.2f;
 // A light is far where its error is at most the level's, near where it is 1 + kWindow times that.
-constexpr float kWindow = 0.5f;
-// Choices whose costs are within about this share of the least one blend, so that nothing flickers between them; not of
-// a budget, where a blend of two that are far apart is wrong by more than either. The rate limits of who carries the
-// choice out make both continuous in time.
-constexpr float kSoftness = 0.02f;
+constexpr float kWindow = 0.25f;
+// The last frame's choice stands until another costs less by this share: two that cost about the same would take turns,
+// and weights on their way from one to the other cost as much as both.
+constexpr float kHeld = 0.03f;
 // Of the squared total target, left to the spatial part where truncation alone takes all of it.
 constexpr float kLeastRoom = 0.04f;
 constexpr float kUnfit = 300;  // ns a doubling of the target that a choice misses
@@ -46,6 +46,28 @@ float squares(std::span<const float> values) noexcept {
   return sum;
 }
 
+void beginFar(const LightRows& rows, FarError& out) {
+  const auto last = [](const std::vector<float>& of, std::size_t size) {
+    return of.end() - static_cast<std::ptrdiff_t>(size);
+  };
+  out.field.assign(last(rows.fields, rows.block()), rows.fields.end());
+  out.truncated.assign(last(rows.truncation, rows.truncated), rows.truncation.end());
+}
+
+/// More of each light.
+template <class Share>
+void addFar(const LightRows& rows, Share shareOf, FarError& out) {
+  const auto add = [](float share, const float* from, std::vector<float>& into) {
+    for (std::size_t j = 0; j < into.size(); ++j) into[j] += share * from[j];
+  };
+  for (int i = 0; i < rows.lights; ++i) {
+    const float share = shareOf(i);
+    if (share == 0) continue;
+    add(share, rows.fields.data() + static_cast<std::size_t>(i) * rows.block(), out.field);
+    add(share, rows.truncation.data() + static_cast<std::size_t>(i) * rows.truncated, out.truncated);
+  }
+}
+
 }  // namespace
 
 float inflation(float points, float used) noexcept {
@@ -59,6 +81,7 @@ void LightRows::resize(int lightCount) {
   truncation.resize((static_cast<std::size_t>(lights) + 1) * truncated);
   excess.resize(lights + 1);
   fade.resize(lights);
+  contact.resize(lights);
 }
 
 void LightRows::reserve(int lightCount) {
@@ -67,6 +90,7 @@ void LightRows::reserve(int lightCount) {
   truncation.reserve(blocks * truncated);
   excess.reserve(blocks);
   fade.reserve(blocks);
+  contact.reserve(blocks);
 }
 
 void TradeOff::reserve(const LightRows& rows, int lightCount) {
@@ -74,26 +98,23 @@ void TradeOff::reserve(const LightRows& rows, int lightCount) {
   if (levels_.size() < levels) levels_.resize(levels);
   for (Level& level : levels_) level.beyond.reserve(rows.nested + 1);
   error_.reserve(levels);
+  contact_.reserve(levels);
   sorted_.reserve(levels);
   weights_.reserve(levels);
-  costs_.reserve(2 * levels);
+  nearer_.reserve(levels);
 }
 
 void TradeOff::farError(const LightRows& rows, std::span<const float> damping, std::span<const float> weights,
-                        FarError& out) const {
-  const std::size_t block = rows.block();
-  const auto sum = [&](const std::vector<float>& from, std::size_t size, std::vector<float>& into) {
-    into.assign(from.end() - static_cast<std::ptrdiff_t>(size), from.end());
-    for (int i = 0; i < rows.lights; ++i) {
-      const float share = 1 - weights[i];
-      if (share == 0) continue;
-      const float* add = from.data() + static_cast<std::size_t>(i) * size;
-      for (std::size_t j = 0; j < size; ++j) into[j] += share * add[j];
-    }
-  };
-  sum(rows.fields, block, out.field);
-  sum(rows.truncation, rows.truncated, out.truncated);
+                        FarError& out) {
+  beginFar(rows, out);
+  addFar(
+      rows, [&](int i) { return 1 - weights[i]; }, out);
+  finishFar(rows, damping, weights, out);
+}
 
+/// Errors of the sums.
+void TradeOff::finishFar(const LightRows& rows, std::span<const float> damping, std::span<const float> weights,
+                         FarError& out) {
   const std::size_t width = rows.width;
   const auto row = [&](int k) { return std::span(out.field).subspan(static_cast<std::size_t>(k) * width, width); };
   float rest = energy(std::span(out.field).subspan(rows.nested * width), rows.weight);
@@ -140,6 +161,14 @@ void TradeOff::build(const LightRows& rows, std::span<const float> damping, int 
                                      static_cast<std::size_t>(rows.truncated)});
     error_[i] = std::sqrt(square + rows.excess[i]) * rows.fade[i];
   }
+  // Where more lights touch than there are slots, none is known to have one.
+  contact_.assign(rows.contact.begin(), rows.contact.end());
+  sorted_.assign(contact_.begin(), contact_.end());
+  std::ranges::sort(sorted_, std::greater<>());
+  const float unserved = slots < rows.lights ? sorted_[slots] : 0;
+  for (float& contact : contact_)
+    if (!(contact > unserved)) contact = 0;
+
   sorted_.assign(error_.begin(), error_.end());
   std::ranges::sort(sorted_, std::greater<>());
   floor_ = slots < rows.lights ? sorted_[slots] : 0;
@@ -149,29 +178,41 @@ void TradeOff::build(const LightRows& rows, std::span<const float> damping, int 
   const int most = std::min(slots, rows.lights);
   const float largest = most > 0 ? sorted_[0] : 0;
   weights_.resize(rows.lights);
+  nearer_.assign(rows.lights, 1.0f);
   levelCount_ = static_cast<std::size_t>(most) + 1;
   if (levels_.size() < levelCount_) levels_.resize(levelCount_);
-  for (int n = 0; n <= most; ++n) {
+  // From most near lights to fewest: each level adds to the rig what the one before it had near.
+  beginFar(rows, scratch_);
+  for (int n = most; n >= 0; --n) {
     Level& level = levels_[n];
     // At level 0 not even the largest counts.
     const float error = n > 0 ? sorted_[n - 1] / (1 + kWindow) : largest / (1 - kActivation);
     level.log2 = largest > 0 ? std::log2(std::max({error, floor_, kLeastLevel * largest})) : 0;
     weightsAt(level.log2, weights_);
-    farError(rows, damping, weights_, scratch_);
+    addFar(
+        rows, [&](int i) { return nearer_[i] - weights_[i]; }, scratch_);
+    finishFar(rows, damping, weights_, scratch_);
+    nearer_.swap(weights_);
     level.beyond = scratch_.beyond;
     level.truncation = scratch_.truncation;
     level.truncationHigh = scratch_.truncationHigh;
     level.nearLights = 0;
     const float threshold = std::max(std::exp2(level.log2), floor_);
-    for (int i = 0; i < rows.lights; ++i)
-      if (threshold > 0 || error_[i] > 0) level.nearLights += threshold > 0 ? active(error_[i] / threshold - 1) : 1;
+    for (int i = 0; i < rows.lights; ++i) {
+      const float touches = std::min(1.0f, contact_[i] / kActivation);
+      const float chosen = threshold > 0 ? active(error_[i] / threshold - 1) : static_cast<float>(error_[i] > 0);
+      level.nearLights += std::max(touches, chosen);
+    }
   }
 }
 
 void TradeOff::weightsAt(float level, std::span<float> weights) const {
   const float threshold = std::max(std::exp2(level), floor_);
-  for (std::size_t i = 0; i < error_.size(); ++i)
-    weights[i] = error_[i] > 0 ? (threshold > 0 ? smoothstep((error_[i] / threshold - 1) / kWindow) : 1.0f) : 0.0f;
+  for (std::size_t i = 0; i < error_.size(); ++i) {
+    const float chosen =
+        threshold > 0 ? smoothstep((error_[i] / threshold - 1) / kWindow) : static_cast<float>(error_[i] > 0);
+    weights[i] = std::max(chosen, contact_[i]);
+  }
 }
 
 float TradeOff::nanoseconds(const CostModel& cost, float vectors, float nearLights, float highBand) {
@@ -194,9 +235,9 @@ void TradeOff::choose(const Request& request, Choice& choice) const {
   };
   const Level& all = levels_[0];
   const float everything = std::sqrt(all.beyond.front() + all.truncation);
-  const float least = kLeastTarget * everything;
+  const float leastTarget = kLeastTarget * everything;
   const auto over = [&](float square, float target) {
-    return square > 0 ? std::sqrt(square) / std::max(target, least) : 0.0f;
+    return square > 0 ? std::sqrt(square) / std::max(target, leastTarget) : 0.0f;
   };
   // What one level costs, with and without the high band; for a budget, how wrong it is.
   const auto look = [&](const Level& level, bool high) {
@@ -235,64 +276,61 @@ void TradeOff::choose(const Request& request, Choice& choice) const {
     return option;
   };
 
-  const int variants = request.highBand ? 2 : 1;
-  costs_.clear();
-  float cheapest = std::numeric_limits<float>::infinity();
-  for (std::size_t l = 0; l < levelCount_; ++l)
-    for (int v = 0; v < variants; ++v) {
-      costs_.push_back(look(levels_[l], v == 1).objective);
-      cheapest = std::min(cheapest, costs_.back());
+  // Not an average: between a choice of one light and many vectors and one of four lights and no rig lie those that
+  // cost more than either. Who carries the choice out moves towards it at limited rates.
+  Option best{};
+  float least = std::numeric_limits<float>::infinity();
+  choice.pick = {};
+  for (int level = 0; level < static_cast<int>(levelCount_); ++level)
+    for (const bool high : {false, true}) {
+      if (high && !request.highBand) continue;
+      const Option option = look(levels_[level], high);
+      float objective = option.objective;
+      if (!budget && request.held && *request.held == Pick{level, high}) objective -= kHeld * option.nanoseconds;
+      // Of equal ones that with more near lights: all that are counted are near in full.
+      if (!(objective <= least)) continue;
+      least = objective;
+      best = option;
+      choice.pick = {level, high};
     }
-  // The average is over the number of near lights. A likely choice of one and a likely choice of nine meet at five,
-  // which costs about as much as either, where half of both would cost the sum.
-  float sum = 0, number = 0, high = 0;
-  const float softness = budget ? 0 : kSoftness * (cheapest + 10);
-  for (std::size_t i = 0; i < costs_.size(); ++i) {
-    const float likeness =
-        softness > 0 ? std::exp((cheapest - costs_[i]) / softness) : static_cast<float>(costs_[i] == cheapest);
-    sum += likeness;
-    number += likeness * static_cast<float>(i / variants);
-    if (i % variants == 1) high += likeness;
-  }
-  number /= sum;
-  choice.highBand = smoothstep(2 * high / sum - 0.5f);
-  const float highCounted = std::clamp(1 + (high / sum - 0.25f) / kActivation, 0.0f, 1.0f);
-
-  const auto below = std::min(static_cast<std::size_t>(number), levelCount_ - 1);
-  const auto above = std::min(below + 1, levelCount_ - 1);
-  const float part = number - static_cast<float>(below);
-  // The next light is counted in full before its weight rises.
-  const float counted = std::min(1.0f, part / kActivation);
-  const float share = std::max(0.0f, (part - kActivation) / (1 - kActivation));
   choice.weights.resize(error_.size());
-  weightsAt(levels_[below].log2, choice.weights);
-  weightsAt(levels_[above].log2, weights_);
-  for (std::size_t j = 0; j < weights_.size(); ++j)
-    choice.weights[j] = std::lerp(choice.weights[j], weights_[j], share);
-
-  const float near = std::lerp(levels_[below].nearLights, levels_[above].nearLights, counted);
-  const Option few = look(levels_[below], high > 0.5f * sum), many = look(levels_[above], high > 0.5f * sum);
-  choice.spatialError = std::lerp(few.spatial, many.spatial, part);
-  choice.vectorCap = few.cap;
-  float vectors = std::lerp(few.vectors, many.vectors, part);
-  if (budget && request.vectors == 0) {
-    const float spare = request.value - nanoseconds(request.cost, 0, near, highCounted) - request.cost.base;
-    choice.vectorCap = std::clamp(spare / request.cost.vector, 0.0f, static_cast<float>(all.beyond.size()) - 1);
-    vectors = choice.vectorCap;
-  }
-  choice.nanoseconds = nanoseconds(request.cost, vectors, near, highCounted);
+  weightsAt(levels_[choice.pick.level].log2, choice.weights);
+  choice.highBand = choice.pick.highBand ? 1.0f : 0.0f;
+  choice.spatialError = choice.chosenSpatialError = best.spatial;
+  choice.vectorCap = best.cap;
+  choice.nanoseconds = best.nanoseconds;
+  choice.objective = best.objective;
 }
 
-int TradeOff::coefficientWeights(const FarError& error, const Choice& choice, std::span<float> weights) {
+float TradeOff::coefficientWeight(float square, float target, float room) {
+  const float without = std::sqrt(square);
+  const float wanted =
+      target > 0 ? smoothstep((without / target - kFadeFrom) / kFadeWidth) : static_cast<float>(without > 0);
+  return std::min(wanted, smoothstep(room));
+}
+
+int TradeOff::coefficientWeights(const FarError& error, const Choice& choice, std::span<float> weights) const {
+  const Level& chosen = levels_[choice.pick.level];
   int used = 0;
   for (std::size_t j = 0; j < weights.size(); ++j) {
-    const float without = std::sqrt(error.beyond[j]);
-    const float wanted = choice.spatialError > 0 ? smoothstep((without / choice.spatialError - kFadeFrom) / kFadeWidth)
-                                                 : static_cast<float>(without > 0);
-    weights[j] = std::min(wanted, smoothstep(choice.vectorCap - static_cast<float>(j)));
+    const float room = choice.vectorCap - static_cast<float>(j);
+    weights[j] = std::max(coefficientWeight(error.beyond[j], choice.spatialError, room),
+                          coefficientWeight(chosen.beyond[j], choice.chosenSpatialError, room));
     if (weights[j] > 0) used = static_cast<int>(j) + 1;
   }
   return used;
+}
+
+float TradeOff::readiness(const Choice& choice, std::span<const float> weights) const {
+  const Level& chosen = levels_[choice.pick.level];
+  float wanted = 0, there = 0;
+  for (std::size_t j = 0; j < weights.size(); ++j) {
+    const float weight =
+        coefficientWeight(chosen.beyond[j], choice.chosenSpatialError, choice.vectorCap - static_cast<float>(j));
+    wanted += weight;
+    there += std::min(weight, weights[j]);
+  }
+  return wanted > 0 ? there / wanted : 1;
 }
 
 float TradeOff::spatialSquare(const LightRows& rows, const FarError& error, std::span<const float> damping,

@@ -1,10 +1,10 @@
 // Error against cost of one object in one frame: how many near lights, how many SH vectors, with or without the high
-// band. The choice is an average over a ladder of levels, one more near light each, weighted towards the cheapest; for
-// a budget it is the best of them.
+// band. The choice is the cheapest of a ladder of levels, one more near light each; for a budget the best of them.
 #pragma once
 
 #include <rigel/object_lighting.h>
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -30,6 +30,7 @@ struct LightRows {
   std::vector<float> weight;         // width: squared factor from SH to irradiance
   std::vector<float> excess;         // per block, [W/m2]^2: of a light so close that it varies between the rows' points
   std::vector<float> fade;           // per light: 0 for one that is about to leave the candidates, 1 for all others
+  std::vector<float> contact;        // per light: share that is near whatever is chosen (LightBound::contact)
   float tail = 1;                    // all truncated energy over that of `truncation`
   float inflation = 1;               // fixed rigs: mean-square error at other points over that at the rows' points
 
@@ -52,20 +53,30 @@ struct FarError {
 
 class TradeOff {
  public:
+  /// A level of the ladder, with or without the high band.
+  struct Pick {
+    int level = 0;
+    bool highBand = false;
+    friend bool operator==(const Pick&, const Pick&) = default;
+  };
   struct Request {
     LightingTarget::Kind kind = LightingTarget::Kind::spatialError;
-    float value = 0;          // error [W/m2], or nanoseconds a point
-    float spatialMargin = 1;  // estimated spatial errors are kept below what the target leaves them by this factor
-    int vectors = 0;          // of a fixed rig; 0: nested
-    bool highBand = false;    // available
+    float value = 0;           // error [W/m2], or nanoseconds a point
+    float spatialMargin = 1;   // estimated spatial errors are kept below what the target leaves them by this factor
+    int vectors = 0;           // of a fixed rig; 0: nested
+    bool highBand = false;     // available
+    std::optional<Pick> held;  // of the last frame
     CostModel cost;
   };
   struct Choice {
-    std::vector<float> weights;  // of each light, of being near
-    float highBand = 0;          // share of it
-    float spatialError = 0;      // [W/m2] that nested coefficients aim at
-    float vectorCap = 0;         // nested coefficients at most
-    float nanoseconds = 0;       // modelled, a point
+    Pick pick;
+    std::vector<float> weights;    // of each light, of being near
+    float highBand = 0;            // share of it
+    float spatialError = 0;        // [W/m2] that nested coefficients aim at in this frame
+    float chosenSpatialError = 0;  // and where all weights have arrived
+    float vectorCap = 0;           // nested coefficients at most
+    float nanoseconds = 0;         // modelled, a point
+    float objective = 0;  // that was least: nanoseconds and a price for what misses the target; for budgets an error
   };
 
   /// Room for as many lights, so that nothing else allocates.
@@ -74,14 +85,17 @@ class TradeOff {
   void build(const LightRows& rows, std::span<const float> damping, int slots, bool total);
   /// Allocates only while the number of lights grows.
   void choose(const Request& request, Choice& choice) const;
-  /// w of each light at a level.
+  /// w of each light at a level; not below its contact.
   void weightsAt(float level, std::span<float> weights) const;
 
   /// Errors of the far part for given weights.
-  void farError(const LightRows& rows, std::span<const float> damping, std::span<const float> weights,
-                FarError& out) const;
-  /// Weights in [0, 1], non-increasing, of the nested coefficients. Returns how many are not 0.
-  static int coefficientWeights(const FarError& error, const Choice& choice, std::span<float> weights);
+  static void farError(const LightRows& rows, std::span<const float> damping, std::span<const float> weights,
+                       FarError& out);
+  /// Weights in [0, 1], non-increasing, of the nested coefficients: what the frame's far part needs, and what it will
+  /// when the choice has arrived, so that a light that leaves finds its place in the rig. Returns how many are not 0.
+  int coefficientWeights(const FarError& error, const Choice& choice, std::span<float> weights) const;
+  /// Share of what the choice wants of the nested coefficients that these weights have.
+  float readiness(const Choice& choice, std::span<const float> weights) const;
   /// Mean-square spatial error with these weights.
   static float spatialSquare(const LightRows& rows, const FarError& error, std::span<const float> damping,
                              std::span<const float> weights);
@@ -96,13 +110,19 @@ class TradeOff {
     float truncation = 0, truncationHigh = 0;
     std::vector<float> beyond;
   };
+  static void finishFar(const LightRows& rows, std::span<const float> damping, std::span<const float> weights,
+                        FarError& out);
+  /// Of the coefficient without which the mean-square error is `square`; `room`: how many more may be kept.
+  static float coefficientWeight(float square, float target, float room);
+
   std::vector<float> error_;  // per light: RMS [W/m2] of leaving it in the rig
-  float floor_ = 0;           // error of the light ranked slots + 1
+  std::vector<float> contact_;
+  float floor_ = 0;  // error of the light ranked slots + 1
   std::vector<Level> levels_;
   std::size_t levelCount_ = 0;
   FarError scratch_;
   std::vector<float> sorted_;
-  mutable std::vector<float> weights_, costs_;  // working memory
+  std::vector<float> weights_, nearer_;  // working memory
 };
 
 }  // namespace rigel

@@ -22,7 +22,7 @@ namespace rigel {
 struct LightBound {
   float error = 0;  // of the rig's SH against the SH of the same bands at each point
   float peak = 0;   // of the light's own irradiance; 0 only where it gives the object nothing at all
-  /// 1 where the object may pass through the face of a disk light, 0 farther than 0.9 of its radius from the face. What
+  /// 1 where the object may pass through the face of a disk light, 0 farther than 0.6 of its radius from the face. What
   /// passes from behind to before a face leaps from darkness to all of the light; no rig can follow, and only a light
   /// that is evaluated exactly leaps with it.
   float contact = 0;
