@@ -100,7 +100,10 @@ class DiskBound {
     const SlopeReach slopes = slopeReach(plan_);
     if (plan_.numeric) return slopes.halves * (field_.perVector() + field_.lobe()) * vector / (2 * kSecant);
     const double reach = plan_.kind == BoundPlan::Kind::ball ? plan_.radius : slopes.farthest;
-    const double smooth = field_.area() * field_.slope(nodes_.cosine) * means(nodes_.front[0]).cube;
+    // No emitter is closer to a node than the disk's rim.
+    const double clear = std::max(0.0, nodes_.near - field_.radius());
+    const double cube = std::min(means(nodes_.front[0]).cube, 1 / (clear * clear * clear));
+    const double smooth = field_.area() * field_.slope(nodes_.cosine) * cube;
     return nodes_.share * reach * std::min(smooth, field_.rimSlope(nodes_));
   }
 
@@ -118,9 +121,9 @@ class DiskBound {
       if (axis.first > 0) first += axis.first * field_.slopeAlong(served_.cosine, std::clamp(w - turn, 0.0, 1.0), most);
       if (axis.second > 0) second += axis.second * field_.curvatureAlong(served_.cosine, most);
       jump += axis.kink * std::abs(axis_[a]);
-      square += axis.gradient * axis.half;
+      square += axis.gradient * axis.reach;
       alongAll += most * most;
-      alongEach += axis.gradient * axis.half * most * most;
+      alongEach += axis.gradient * axis.reach * most * most;
     }
     if (square > 0) {
       // As in interpolation_bound.cpp.

@@ -66,6 +66,9 @@ Effects rigEffects(const RigSpec& spec) noexcept {
     effects.add(spec.falloff ? Effect::rig_invquad : Effect::rig_poly);
     return effects;
   }
+  if (spec.family == RigSpec::Family::rbf) return {Effect::rig_rbf};
+  if (spec.family == RigSpec::Family::latticegrad) return {Effect::rig_latticegrad};
+  if (spec.family == RigSpec::Family::hermite) return {Effect::rig_hermite};
   if (spec.shVectors() == 1) return {Effect::rig_constant};
   if (spec.fit == FitMethod::gauss) return {Effect::rig_tensor, Effect::rig_gauss};
   return {Effect::rig_tensor};
@@ -83,7 +86,8 @@ bool callsFor(LightingStage stage, Effects effects, const LightingOptions& wante
     case LightingStage::project:
     case LightingStage::fit:
       return chooses || effects.hasAny({Effect::rig_auto, Effect::rig_constant, Effect::rig_poly, Effect::rig_invquad,
-                                        Effect::rig_tensor, Effect::rig_texture});
+                                        Effect::rig_tensor, Effect::rig_texture, Effect::rig_rbf,
+                                        Effect::rig_latticegrad, Effect::rig_hermite});
   }
   return false;
 }

@@ -127,6 +127,11 @@ GpuRig packTextureInto(const Rig& rig, const RigFrame& worldFromRig, std::span<c
 
 }  // namespace
 
+std::optional<Error> checkGpuRig(const RigSpec& spec) {
+  if (spec.family == RigSpec::Family::tensor || spec.family == RigSpec::Family::poly) return std::nullopt;
+  return Error{"this model is for comparison on the CPU alone: no shader evaluates it", "rig '" + spec.text + "'"};
+}
+
 int packRigBound(const Rig& rig, int bands, int vectors) noexcept {
   return std::max(rig.shVectors(), vectors) * gpuVectorSize(bands) + kLargestHigh;
 }

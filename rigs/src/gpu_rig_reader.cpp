@@ -4,6 +4,8 @@
 #include "poly_model.h"
 #include "tensor_model.h"
 
+#include <cassert>
+
 namespace rigel {
 namespace {
 
@@ -45,6 +47,7 @@ void placeRigBox(const RigBox& box, const RigFrame& worldFromRig, GpuRig& out) n
 }
 
 GpuRig GpuRigReader::describe(const RigFrame& worldFromRig) const noexcept {
+  assert(!checkGpuRig(rig_.spec()));
   GpuRig out{};
   placeRigBox(rig_.box(), worldFromRig, out);
   out.nodes = {1, 1, 1};

@@ -23,9 +23,9 @@ double boxError(const BoundPlan& plan, const Region& served, const LightField& f
     sum += axis.second * (s.second * w2 + s.secondAcross * (1 - w2));
     if (axis.gradient > 0) {
       ++gradients;
-      square += axis.gradient * axis.half;
+      square += axis.gradient * axis.reach;
       alongAll += w2;
-      alongEach += axis.gradient * axis.half * w2;
+      alongEach += axis.gradient * axis.reach * w2;
     }
   }
   if (gradients == 0) return sum;
@@ -38,7 +38,7 @@ double boxError(const BoundPlan& plan, const Region& served, const LightField& f
 double boxError(const BoundPlan& plan, const Roughness& roughness) noexcept {
   double sum = 0;
   for (const BoundPlan::Axis& axis : plan.axis)
-    sum += axis.first * roughness.slope + (axis.second + axis.gradient * axis.half / 2) * roughness.curvature;
+    sum += axis.first * roughness.slope + (axis.second + axis.gradient * axis.reach / 2) * roughness.curvature;
   if (plan.numeric && plan.gradients > 1)
     for (const BoundPlan::Axis& axis : plan.axis)
       if (axis.gradient > 0) sum += axis.gradient * axis.node / 2 * roughness.curvature;

@@ -28,6 +28,19 @@ Region regionOf(const Triple& towards, const Triple& half, double radius, double
   return region;
 }
 
+/// From the light to the nearest node of a lattice about the centre.
+double nodeDistance(const detail::BoundPlan& plan, const Triple& towards) noexcept {
+  Triple offset = towards;
+  for (int a = 0; a < 3; ++a) {
+    const detail::BoundPlan::Axis& axis = plan.axis[a];
+    if (!(axis.spacing > 0)) continue;
+    const double last = std::round(2 * axis.node / axis.spacing);
+    const double nearest = std::clamp(std::round((towards[a] + axis.node) / axis.spacing), 0.0, last);
+    offset[a] += axis.node - nearest * axis.spacing;
+  }
+  return lengthOf(offset);
+}
+
 /// Cosine of max(0, alpha - beta), from the cosines of both.
 double cosineOfLess(double alpha, double beta) noexcept {
   if (alpha >= beta) return 1;
@@ -78,6 +91,8 @@ LightPlace placeOf(const detail::BoundPlan& plan, const RigFrame& frame, Vec3 po
   for (int a = 0; a < 3; ++a) towards[a] = plan.centre[a] - place.position[a];
   place.served = regionOf(towards, half, plan.radius, kPositionRounding * size);
   place.nodes = regionOf(towards, node, plan.nodeRadius, kPositionRounding * size);
+  const bool lattice = std::ranges::any_of(plan.axis, [](const auto& axis) { return axis.spacing > 0; });
+  if (lattice) place.nodes.near = std::max(place.nodes.near, nodeDistance(plan, towards) - 2 * place.nodes.rounding);
   place.valid = std::isfinite(place.served.centre);
   return place;
 }

@@ -18,8 +18,8 @@ std::vector<double> constantTerm(int terms) {
 }  // namespace
 
 Rig::PolyModel::PolyModel(RigSpec s, const RigShape& rest, const Anchors& chosen)
-    : Model(std::move(s)), surfaceFit_(*this, chosen, constantTerm(spec.polyTerms)) {
-  const std::vector<Exponents> order = monomialOrder(spreadOf(rest.surface), spec.polyTerms);
+    : Model(std::move(s)), surfaceFit_(*this, chosen, constantTerm(spec.terms)) {
+  const std::vector<Exponents> order = monomialOrder(spreadOf(rest.surface), spec.terms);
   terms_.push_back({0, 0});
   for (std::size_t k = 1; k < order.size(); ++k) {
     Exponents divisor = order[k];

@@ -3,7 +3,9 @@
 #include "fekete.h"
 #include "model.h"
 #include "poly_model.h"
+#include "rbf_model.h"
 #include "simulated_lights.h"
+#include "slope_grid_model.h"
 #include "tensor_model.h"
 
 #include <algorithm>
@@ -77,7 +79,8 @@ Result<Rig> Rig::create(const RigSpec& spec, const RigShape& rest) {
   if (rest.surface.empty()) return Error{"no surface points", place};
   if (!std::ranges::all_of(rest.surface, isFinite)) return Error{"a surface point is not finite", place};
 
-  const bool anchored = spec.family == RigSpec::Family::poly || spec.fit == FitMethod::lsq;
+  const bool anchored =
+      spec.family == RigSpec::Family::poly || spec.family == RigSpec::Family::rbf || spec.fit == FitMethod::lsq;
   std::unique_ptr<Model> model = anchored ? anchoredModel(spec, rest) : Model::create(spec, rest, {});
   model->probes = probeSurface(rest, model->anchors);
   return Rig(std::move(model));
@@ -85,10 +88,20 @@ Result<Rig> Rig::create(const RigSpec& spec, const RigShape& rest) {
 
 std::unique_ptr<Rig::Model> Rig::Model::create(const RigSpec& spec, const RigShape& rest, const Anchors& anchors) {
   std::unique_ptr<Model> model;
-  if (spec.family == RigSpec::Family::poly) {
-    model = std::make_unique<PolyModel>(spec, rest, anchors);
-  } else {
-    model = std::make_unique<TensorModel>(spec, rest, anchors);
+  switch (spec.family) {
+    case RigSpec::Family::tensor:
+      model = std::make_unique<TensorModel>(spec, rest, anchors);
+      break;
+    case RigSpec::Family::poly:
+      model = std::make_unique<PolyModel>(spec, rest, anchors);
+      break;
+    case RigSpec::Family::rbf:
+      model = std::make_unique<RbfModel>(spec, rest, anchors);
+      break;
+    case RigSpec::Family::latticegrad:
+    case RigSpec::Family::hermite:
+      model = std::make_unique<SlopeGridModel>(spec, rest);
+      break;
   }
   poseAtRest(*model, rest);
   return model;

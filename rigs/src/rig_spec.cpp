@@ -1,10 +1,11 @@
 // Parses the text form of rig models. Grammar, blanks ignored:
 //
-//   spec   := ( "constant" | "gradient" | lattice | mixed | poly ) [ "@" fit ]
+//   spec   := ( "constant" | "gradient" | lattice | mixed | poly | dropped ) [ "@" fit ]
 //   lattice:= "lattice:" N "x" N "x" N [ ":" kernel ]
 //   mixed  := "mixed:" [ "xyz:" ] axis "," axis "," axis
 //   axis   := "c" | "g" | "l" N
 //   poly   := "poly:" K | "invquad:" K | "auto" [ ":" K ]
+//   dropped:= "rbf:" K | "latticegrad:" N "x" N "x" N [ ":" kernel ] | "hermite:" N "x" N "x" N
 //   kernel := "linear" | "smooth" | "cubic"
 //   fit    := "corners" | "numeric" | "gauss" | "lsq"
 #include <rigel/rig_spec.h>
@@ -66,7 +67,37 @@ std::string parseTerms(std::string_view text, RigSpec& spec) {
     return "'" + std::string(text) + "' is not a number of terms from 1 to " + std::to_string(kMaxPolyTerms);
   spec.family = RigSpec::Family::poly;
   spec.fit = FitMethod::lsq;
-  spec.polyTerms = *terms;
+  spec.terms = *terms;
+  return "";
+}
+
+/// K of radial basis functions. Returns what is wrong, or "".
+std::string parseCentres(std::string_view text, RigSpec& spec) {
+  const auto centres = parseInt(text);
+  if (!centres || *centres < 1 || *centres > kMaxLsqVectors)
+    return "'" + std::string(text) + "' is not a number of centres from 1 to " + std::to_string(kMaxLsqVectors);
+  spec.family = RigSpec::Family::rbf;
+  spec.fit = FitMethod::lsq;
+  spec.terms = *centres;
+  return "";
+}
+
+/// "AxBxC" or, where `takesKernel`, "AxBxC:kernel". Returns what is wrong, or "".
+std::string parseLattice(std::string_view name, std::string_view text, bool takesKernel, RigSpec& spec) {
+  const auto parts = split(text, ':');
+  const auto counts = split(parts[0], 'x');
+  if (counts.size() != 3) return "a lattice needs three node counts, as in " + std::string(name) + ":3x2x2";
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto model = latticeAxis(counts[axis]);
+    if (!model) return "'" + std::string(counts[axis]) + "' is not a node count from 1 to 64";
+    spec.axes[axis] = *model;
+  }
+  if (parts.size() > 2) return "too many ':'";
+  if (parts.size() == 1) return "";
+  if (!takesKernel) return std::string(name) + " takes no kernel";
+  const auto kernel = parseKernel(parts[1]);
+  if (!kernel) return "unknown kernel '" + std::string(parts[1]) + "' (known: linear, smooth, cubic)";
+  spec.kernel = *kernel;
   return "";
 }
 
@@ -77,22 +108,14 @@ std::string parseModel(std::string_view text, RigSpec& spec) {
     spec.axes.fill({AxisModel::Kind::gradient, 1});
     return "";
   }
-  if (consumePrefix(text, "lattice:")) {
-    const auto parts = split(text, ':');
-    const auto counts = split(parts[0], 'x');
-    if (counts.size() != 3) return "a lattice needs three node counts, as in lattice:3x2x2";
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto model = latticeAxis(counts[axis]);
-      if (!model) return "'" + std::string(counts[axis]) + "' is not a node count from 1 to 64";
-      spec.axes[axis] = *model;
-    }
-    if (parts.size() > 2) return "too many ':'";
-    if (parts.size() == 2) {
-      const auto kernel = parseKernel(parts[1]);
-      if (!kernel) return "unknown kernel '" + std::string(parts[1]) + "' (known: linear, smooth, cubic)";
-      spec.kernel = *kernel;
-    }
-    return "";
+  if (consumePrefix(text, "lattice:")) return parseLattice("lattice", text, true, spec);
+  if (consumePrefix(text, "latticegrad:")) {
+    spec.family = RigSpec::Family::latticegrad;
+    return parseLattice("latticegrad", text, true, spec);
+  }
+  if (consumePrefix(text, "hermite:")) {
+    spec.family = RigSpec::Family::hermite;
+    return parseLattice("hermite", text, false, spec);
   }
   if (consumePrefix(text, "mixed:")) {
     spec.pinnedAxes = consumePrefix(text, "xyz:");
@@ -114,18 +137,30 @@ std::string parseModel(std::string_view text, RigSpec& spec) {
     spec.adaptive = true;
     return parseTerms(text, spec);
   }
+  if (consumePrefix(text, "rbf:")) return parseCentres(text, spec);
   if (text == "auto") {
     spec.adaptive = true;
     return parseTerms(std::to_string(kAutoTerms), spec);
   }
   return "unknown rig model (known: constant, gradient, lattice:AxBxC, mixed:m1,m2,m3, poly:K, invquad:K, auto, "
-         "auto:K)";
+         "auto:K; for comparison rbf:K, latticegrad:AxBxC, hermite:AxBxC)";
 }
 
 /// The part after '@'. Returns what is wrong, or "".
 std::string parseFit(std::string_view text, RigSpec& spec) {
-  if (spec.family == RigSpec::Family::poly) {
-    return text == "lsq" ? "" : "a polynomial rig is always least squares: '@" + std::string(text) + "' does not apply";
+  const auto only = [&](std::string_view method, std::string what) {
+    return text == method ? "" : std::move(what) + ": '@" + std::string(text) + "' does not apply";
+  };
+  switch (spec.family) {
+    case RigSpec::Family::poly:
+      return only("lsq", "a polynomial rig is always least squares");
+    case RigSpec::Family::rbf:
+      return only("lsq", "an rbf rig is always least squares");
+    case RigSpec::Family::latticegrad:
+    case RigSpec::Family::hermite:
+      return only("corners", "nodes that hold slopes are always spread over the box");
+    case RigSpec::Family::tensor:
+      break;
   }
   if (text == "corners") {
     spec.fit = FitMethod::corners;
@@ -146,12 +181,25 @@ std::string parseFit(std::string_view text, RigSpec& spec) {
   return "";
 }
 
+/// What latticegrad and hermite do not take of what a tensor rig may have.
+std::optional<Error> checkSlopeGrid(const RigSpec& spec, const std::string& place) {
+  if (spec.family == RigSpec::Family::tensor) return std::nullopt;
+  if (std::ranges::any_of(spec.axes, [](AxisModel a) { return a.kind == AxisModel::Kind::gradient; }))
+    return Error{"every node holds all slopes: an axis has a number of nodes and no model", place};
+  if (spec.fit != FitMethod::corners) return Error{"nodes that hold slopes are spread over the box", place};
+  if (spec.kernel == LatticeKernel::cubic)
+    return Error{"a cubic kernel blends 64 nodes of four functions each at a point; linear and smooth do", place};
+  if (spec.family == RigSpec::Family::hermite && spec.kernel != LatticeKernel::linear)
+    return Error{"hermite takes no kernel", place};
+  return std::nullopt;
+}
+
 }  // namespace
 
 int RigSpec::shVectors() const noexcept {
-  if (family == Family::poly) return polyTerms;
+  if (family == Family::poly || family == Family::rbf) return terms;
   int nodes = 1;
-  int slopes = 0;
+  int slopes = family == Family::tensor ? 0 : 3;
   for (const AxisModel& axis : axes) {
     nodes *= axis.nodes;
     slopes += axis.kind == AxisModel::Kind::gradient;
@@ -165,13 +213,19 @@ std::optional<Error> checkRigSpec(const RigSpec& spec) {
     return Error{"only polynomial rigs, and not adaptive ones, have a falloff", place};
   if (spec.adaptive && spec.family != RigSpec::Family::poly) return Error{"only polynomial rigs are adaptive", place};
   if (spec.family == RigSpec::Family::poly) {
-    if (spec.polyTerms < 1 || spec.polyTerms > kMaxPolyTerms)
+    if (spec.terms < 1 || spec.terms > kMaxPolyTerms)
       return Error{"a poly rig has 1 to " + std::to_string(kMaxPolyTerms) + " terms", place};
+    return std::nullopt;
+  }
+  if (spec.family == RigSpec::Family::rbf) {
+    if (spec.terms < 1 || spec.terms > kMaxLsqVectors)
+      return Error{"an rbf rig has 1 to " + std::to_string(kMaxLsqVectors) + " centres", place};
     return std::nullopt;
   }
   for (const AxisModel& axis : spec.axes)
     if (axis.nodes < 1 || axis.nodes > kMaxAxisNodes || (axis.nodes > 1) != (axis.kind == AxisModel::Kind::lattice))
       return Error{"a lattice axis has 2 to " + std::to_string(kMaxAxisNodes) + " nodes, any other has one", place};
+  if (const auto error = checkSlopeGrid(spec, place)) return error;
   const bool lsq = spec.fit == FitMethod::lsq;
   const bool gauss = spec.fit == FitMethod::gauss;
   if (gauss && spec.kernel != LatticeKernel::linear) return Error{"@gauss takes no kernel", place};

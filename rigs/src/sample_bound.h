@@ -1,4 +1,4 @@
-// The error of rigs that sample values anywhere (poly, @lsq, @gauss), about one light without window and cone.
+// The error of rigs that sample values anywhere (poly, rbf, @lsq, @gauss), about one light without window and cone.
 #pragma once
 
 #include "light_field.h"

@@ -93,6 +93,12 @@ void SamplePlanner::readSpan(BoundPlan& plan) noexcept {
     for (int k = 0; k < at[0].count; ++k) watch(ratio(0, k), ratio(1, k), ratio(2, k));
     return;
   }
+  if (spec.family == RigSpec::Family::rbf) {
+    // As smooth as polynomials, and what it makes of these tells how far it is from them.
+    plan.polynomial = true;
+    for (const int axis : {-1, 0, 1, 2}) watch(axis == 0, axis == 1, axis == 2);
+    return;
+  }
   const auto& axes = rig_.axes();
   const auto nodes = [&](int a) { return axes[a].kind == AxisModel::Kind::lattice ? axes[a].nodes : 1; };
   // Two nodes span the same as a slope, times everything else.
@@ -313,7 +319,7 @@ bool SamplePlanner::plan(BoundPlan& plan, SamplePlan& samples) noexcept {
   }
   if (!rig_.anchors().empty()) placeProbes(samples);
   readSpan(plan);
-  spanned_ = {watches(1, 0, 0), watches(0, 1, 0), watches(0, 0, 1)};
+  if (rig_.spec().family != RigSpec::Family::rbf) spanned_ = {watches(1, 0, 0), watches(0, 1, 0), watches(0, 0, 1)};
   plan.linear = spanned_[0] && spanned_[1] && spanned_[2] && !rig_.spec().falloff;
   if (plan.polynomial && !rig_.spec().falloff) watchBeyond();
   for (int t = 0; t < watched_; ++t) degree_ = std::max<int>(degree_, std::ranges::max(watch_[t]));

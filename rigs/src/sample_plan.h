@@ -1,4 +1,4 @@
-// What the bounds need of rigs whose samples are anywhere: poly, @lsq and @gauss.
+// What the bounds need of rigs whose samples are anywhere: poly, rbf, @lsq and @gauss.
 #pragma once
 
 #include "falloff.h"

@@ -1,9 +1,9 @@
 #include "tensor_model.h"
 
+#include "box_axes.h"
 #include "lattice_kernel.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace rigel {
 namespace {
@@ -11,20 +11,6 @@ namespace {
 // @numeric takes the slope from the secant between -h and h of the half extent. For light that varies as u^3 the error
 // over the box, int (u^3 - h^2 u)^2 du, is least at h^2 = 3/5; for u^2 every h gives the same.
 constexpr float kSecant = 0.77459667f;
-
-/// Box axes by decreasing extent; ties keep x, y, z.
-std::array<int, 3> axesByExtent(const RigBox& box) {
-  const Vec3 extent = box.hi - box.lo;
-  std::array<int, 3> order{0, 1, 2};
-  std::ranges::stable_sort(order, [&](int a, int b) { return extent[a] > extent[b]; });
-  return order;
-}
-
-Vec3 unit(int axis) noexcept {
-  Vec3 v;
-  v[axis] = 1;
-  return v;
-}
 
 }  // namespace
 

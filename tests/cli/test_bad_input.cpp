@@ -124,6 +124,8 @@ TEST_F(BadInput, Options) {
   expectRefused("sample:touch", 2, "--error 5: must be", {"--rig", "auto", "--error", "5"});
   expectRefused("sample:touch", 2, "--error 0.05 --total-error 0.1: only one of the two",
                 {"--rig", "auto", "--error", "0.05", "--total-error", "0.1"});
+  expectRefused("sample:touch", 2, "rig 'rbf:6': this model is for comparison on the CPU alone",
+                {"--rig", "gradient;rbf:6", "--device", "gpu"});
   expectRefused("sample:touch", 1, "past the end", {"--frames", "100000:"});
   expectRefused("sample:touch", 1, "no clip 'nope'", {"--clip", "nope"});
   expectRefused("sample:touch", 1, "none.glb", {"--lights", folder_ / "none.glb"});

@@ -133,6 +133,9 @@ TEST_F(RenderCommand, BadUseIsOneLine) {
   expectRefused("sample:figure1", out, {"--size", "99999x90"}, 2, "WIDTHxHEIGHT, each from 1 to 8192");
   expectRefused("sample:figure1", folder_ / "a.jpg", {}, 2, ".exr or .png");
   expectRefused("sample:figure1", out, {"--rig", "poly:0"}, 2, "poly:0");
+  for (const std::string rig : {"rbf:6", "latticegrad:2x1x1", "hermite:2x1x1"})
+    expectRefused("sample:figure1", out, {"--rig", rig}, 2,
+                  "rig '" + rig + "': this model is for comparison on the CPU alone");
   expectRefused("sample:figure1", out, {"--storage", "float64"}, 2, "--storage");
   expectRefused("sample:figure1", out, {"--supersampling", "5"}, 2, "--supersampling");
   expectRefused("sample:figure1", out, {"--clip", "all"}, 2, "one clip at a time");

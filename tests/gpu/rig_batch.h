@@ -71,7 +71,7 @@ class RigBatch {
     if (spec.kernel == LatticeKernel::cubic) return "cubic";
     const std::string model = spec.text.substr(0, spec.text.find_first_of(":@"));
     if (model != "poly") return model;
-    return model + (spec.polyTerms <= 4 ? " of degree 1" : spec.polyTerms <= 10 ? " of degree 2" : " of higher degree");
+    return model + (spec.terms <= 4 ? " of degree 1" : spec.terms <= 10 ? " of degree 2" : " of higher degree");
   }
   std::vector<float> evaluate(tools::ShaderFunction& function) const {
     // Always of one size, or lavapipe compiles anew.

@@ -66,7 +66,15 @@ inline const std::vector<std::string>& everyKindOfSpec() {
                                                  "auto",
                                                  "invquad:1",
                                                  "invquad:6",
-                                                 "invquad:12"};
+                                                 "invquad:12",
+                                                 "rbf:1",
+                                                 "rbf:6",
+                                                 "rbf:12",
+                                                 "latticegrad:1x1x1",
+                                                 "latticegrad:3x2x2",
+                                                 "latticegrad:2x2x1:smooth",
+                                                 "hermite:1x1x1",
+                                                 "hermite:3x2x2"};
   return specs;
 }
 

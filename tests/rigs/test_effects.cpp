@@ -72,6 +72,9 @@ TEST(Effects, OfRigs) {
   EXPECT_EQ(rigEffects(*parseRigSpec("poly:6")), Effects{Effect::rig_poly});
   EXPECT_EQ(rigEffects(*parseRigSpec("invquad:6")), Effects{Effect::rig_invquad});
   EXPECT_EQ(rigEffects(*parseRigSpec("auto")), (Effects{Effect::rig_auto, Effect::rig_poly}));
+  EXPECT_EQ(rigEffects(*parseRigSpec("rbf:6")), Effects{Effect::rig_rbf});
+  EXPECT_EQ(rigEffects(*parseRigSpec("latticegrad:2x1x1")), Effects{Effect::rig_latticegrad});
+  EXPECT_EQ(rigEffects(*parseRigSpec("hermite:2x1x1")), Effects{Effect::rig_hermite});
 }
 
 std::set<LightingStage> stagesOf(ObjectLighting<3>& lighting, const LightSet& lights) {
@@ -87,7 +90,8 @@ TEST(Effects, NoStageRunsUncalled) {
   constexpr LightingStage kAll[] = {LightingStage::bound, LightingStage::choose, LightingStage::project,
                                     LightingStage::fit, LightingStage::estimate};
   int compared = 0, absent = 0;
-  for (const char* spec : {"constant", "poly:6", "lattice:3x2x2", "auto"}) {
+  for (const char* spec :
+       {"constant", "poly:6", "lattice:3x2x2", "rbf:6", "latticegrad:2x1x1", "hermite:2x1x1", "auto"}) {
     for (const int slots : {0, 2}) {
       for (const bool estimate : {false, true}) {
         LightingOptions options;
@@ -108,7 +112,7 @@ TEST(Effects, NoStageRunsUncalled) {
       }
     }
   }
-  EXPECT_EQ(compared, 4 * 2 * 2 * 5);
+  EXPECT_EQ(compared, 7 * 2 * 2 * 5);
   EXPECT_GT(absent, 5);
 }
 

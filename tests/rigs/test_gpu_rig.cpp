@@ -258,6 +258,21 @@ TEST(GpuRig, OnlyPlainLatticesAreTextures) {
     EXPECT_TRUE(textureSize(rigOf(text, kBody), 3)) << text;
 }
 
+TEST(GpuRig, ModelsWithoutShadersAreRefusedByName) {
+  int refused = 0;
+  for (const std::string& text : everyKindOfSpec()) {
+    const auto error = checkGpuRig(specOf(text));
+    const bool dropped = text.starts_with("rbf") || text.starts_with("latticegrad") || text.starts_with("hermite");
+    EXPECT_EQ(error.has_value(), dropped) << text;
+    if (!error) continue;
+    ++refused;
+    EXPECT_NE(error->line().find("rig '" + text + "': "), std::string::npos) << error->line();
+    EXPECT_FALSE(textureSize(rigOf(text, kBody), 3)) << text;
+    EXPECT_EQ(packGaussNodesBound(rigOf(text, kBody)), 0) << text;
+  }
+  EXPECT_GE(refused, 3);
+}
+
 TEST(GpuRig, FlatBoxesHaveNoCoordinateAcross) {
   const GpuRig packed = describe<GpuVec4>(rigOf("poly:4", ellipsoid({1, 2, 3}, {1, 0, 2}, 300)));
   EXPECT_EQ(packed.axisY.x, 0);

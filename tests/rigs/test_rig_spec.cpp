@@ -9,10 +9,11 @@ using ::testing::HasSubstr;
 
 TEST(RigSpec, CountsShVectors) {
   const std::vector<std::pair<std::string, int>> cases = {
-      {"constant", 1},       {"gradient", 4},      {"gradient@numeric", 4}, {"lattice:3x2x2", 12},
-      {"lattice:8x4x2", 64}, {"lattice:1x1x1", 1}, {"mixed:l3,g,c", 6},     {"mixed:xyz:c,c,l5", 5},
-      {"mixed:l2,l3,g", 12}, {"mixed:l2,g,g", 6},  {"mixed:g,g,g", 4},      {"poly:12", 12},
-      {"auto", 16},          {"invquad:6", 6},     {"auto:20", 20}};
+      {"constant", 1},       {"gradient", 4},           {"gradient@numeric", 4},  {"lattice:3x2x2", 12},
+      {"lattice:8x4x2", 64}, {"lattice:1x1x1", 1},      {"mixed:l3,g,c", 6},      {"mixed:xyz:c,c,l5", 5},
+      {"mixed:l2,l3,g", 12}, {"mixed:l2,g,g", 6},       {"mixed:g,g,g", 4},       {"poly:12", 12},
+      {"auto", 16},          {"invquad:6", 6},          {"auto:20", 20},          {"rbf:12", 12},
+      {"rbf:64", 64},        {"latticegrad:2x2x1", 16}, {"latticegrad:1x1x1", 4}, {"hermite:3x2x2", 48}};
   for (const auto& [text, vectors] : cases) EXPECT_EQ(specOf(text).shVectors(), vectors) << text;
 }
 
@@ -54,6 +55,20 @@ TEST(RigSpec, RefusesWithTheSpecAndTheCause) {
                                                                   {"lattice:3x2x2:smooth@gauss", "takes no kernel"},
                                                                   {"lattice:3x2x2:linear@gauss", "takes no kernel"},
                                                                   {"lattice:9x4x2@gauss", "at most 64 with @gauss"},
+                                                                  {"rbf", "unknown rig model"},
+                                                                  {"rbf:0", "'0' is not a number of centres"},
+                                                                  {"rbf:65", "from 1 to 64"},
+                                                                  {"rbf:6@corners", "always least squares"},
+                                                                  {"latticegrad:3x2", "as in latticegrad:3x2x2"},
+                                                                  {"latticegrad:0x2x2", "'0' is not a node count"},
+                                                                  {"latticegrad:2x2x2:cubic", "64 nodes"},
+                                                                  {"latticegrad:2x2x2:box", "unknown kernel 'box'"},
+                                                                  {"latticegrad:2x2x2@lsq", "spread over the box"},
+                                                                  {"latticegrad:8x5x4", "640 SH vectors; at most 512"},
+                                                                  {"hermite:2x2", "as in hermite:3x2x2"},
+                                                                  {"hermite:2x2x2:smooth", "hermite takes no kernel"},
+                                                                  {"hermite:2x2x2@gauss", "spread over the box"},
+                                                                  {"hermite:8x4x5", "at most 512"},
                                                                   {"gradient@gaus", "unknown suffix '@gaus'"},
                                                                   {"gradient@", "unknown suffix '@'"}};
   for (const auto& [text, cause] : cases) {
@@ -72,6 +87,16 @@ TEST(RigSpec, AutoIsAnAdaptivePolynomial) {
   EXPECT_FALSE(specOf("poly:9").adaptive);
   EXPECT_NE(spec, specOf("poly:9"));
   EXPECT_EQ(specOf("auto"), specOf("auto:16"));
+}
+
+TEST(RigSpec, ModelsThatWereDroppedAreOthersThanThoseTheyResemble) {
+  EXPECT_EQ(specOf("latticegrad:3x2x2"), specOf("latticegrad:3x2x2:linear@corners"));
+  EXPECT_EQ(specOf("rbf:6"), specOf("rbf:6@lsq"));
+  EXPECT_NE(specOf("latticegrad:3x2x2"), specOf("latticegrad:3x2x2:smooth"));
+  EXPECT_NE(specOf("latticegrad:3x2x2"), specOf("hermite:3x2x2"));
+  EXPECT_NE(specOf("latticegrad:3x2x2"), specOf("lattice:3x2x2"));
+  EXPECT_NE(specOf("rbf:6"), specOf("poly:6"));
+  EXPECT_NE(specOf("rbf:6"), specOf("rbf:7"));
 }
 
 TEST(RigSpec, ParsesLists) {
@@ -100,9 +125,30 @@ TEST(RigSpec, ChecksSpecsThatWereNotParsed) {
   spec = {};
   spec.family = RigSpec::Family::poly;
   for (int terms : {-1, 0, kMaxPolyTerms + 1}) {
-    spec.polyTerms = terms;
+    spec.terms = terms;
     EXPECT_TRUE(checkRigSpec(spec)) << terms;
     EXPECT_FALSE(Rig::create(spec, {{{0, 0, 0}, {1, 1, 1}}, ellipsoid({}, {1, 1, 1}, 20)})) << terms;
+  }
+  spec = {};
+  spec.family = RigSpec::Family::rbf;
+  for (int centres : {-1, 0, kMaxLsqVectors + 1}) {
+    spec.terms = centres;
+    EXPECT_TRUE(checkRigSpec(spec)) << centres;
+  }
+  for (const auto family : {RigSpec::Family::latticegrad, RigSpec::Family::hermite}) {
+    spec = {};
+    spec.family = family;
+    EXPECT_FALSE(checkRigSpec(spec)) << "one node";
+    spec.axes[1] = {AxisModel::Kind::gradient, 1};
+    EXPECT_TRUE(checkRigSpec(spec)) << "its slopes are no axis model";
+    spec = {};
+    spec.family = family;
+    spec.fit = FitMethod::numeric;
+    EXPECT_TRUE(checkRigSpec(spec));
+    spec = {};
+    spec.family = family;
+    spec.kernel = LatticeKernel::cubic;
+    EXPECT_TRUE(checkRigSpec(spec));
   }
   spec = {};
   spec.adaptive = true;

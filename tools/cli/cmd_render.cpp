@@ -58,6 +58,7 @@ Result<RenderOptions> parse(const Arguments& a) {
   options.run.scenes = {a.scene};
   const auto rig = parseRigSpec(a.rig);
   if (!rig) return rig.error();
+  if (const auto error = checkGpuRig(*rig)) return *error;
   options.run.rigs = {*rig};
   if (options.run.clip == "all") return Error{"one clip at a time", "--clip all"};
   if (const auto error = checkOptions(options.run)) return *error;

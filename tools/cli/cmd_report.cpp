@@ -11,6 +11,8 @@
 #include "report/staged_images.h"
 #include "report/write_report.h"
 
+#include <rigel/gpu_rig.h>
+
 #include <fmt/format.h>
 
 #include <memory>
@@ -35,6 +37,10 @@ Result<RunOptions> parse(const Arguments& arguments) {
   if (arguments.out.empty()) return Error{"the name of a directory is missing", "--out"};
   auto rigs = parseRigSpecs(arguments.rigs);
   if (!rigs) return rigs.error();
+  if (arguments.device == "gpu") {
+    for (const RigSpec& rig : *rigs)
+      if (const auto error = checkGpuRig(rig)) return *error;
+  }
   auto options = arguments.run.options();
   if (!options) return options.error();
   options->scenes = arguments.scenes;
@@ -120,7 +126,8 @@ Command addReport(CLI::App& root) {
       "Rig models: constant, gradient, lattice:AxBxC[:linear|smooth|cubic], mixed:m1,m2,m3 (c, g or lN an axis, by\n"
       "decreasing extent of the object; xyz: before them pins the axes), poly:K, invquad:K. Suffix @corners, @gauss,\n"
       "@numeric or @lsq picks how parameters are computed. auto[:K] takes, in each frame, as many of K SH vectors and\n"
-      "as many near lights as its target needs.\n\n"
+      "as many near lights as its target needs. For comparison, on the CPU alone, what the paper tried and dropped:\n"
+      "rbf:K (radial basis functions), latticegrad:AxBxC[:linear|smooth] and hermite:AxBxC (values and slopes).\n\n"
       "Examples: rigel report sample:street --rig \"gradient;poly:6\" --out street\n"
       "          rigel report sample:touch --rig \"auto;poly:6\" --near auto --error 0.02 --out touch\n"
       "          rigel report crowd.glb --lights sample:street --rig auto --budget-us 3000 --out crowd");

@@ -31,6 +31,7 @@ Rgb colourOf(GpuVec4 v) { return {v.x, v.y, v.z}; }
 
 Result<PointShader> PointShader::create(const GpuContext& context, const RigRunner& rig, std::span<const float> wraps,
                                         RigStorage storage, std::size_t mostPoints, Effect wrappedDisk) {
+  if (const auto error = checkGpuRig(rig.rig().spec())) return *error;
   ShadingRoom room{{&rig}, {wraps.begin(), wraps.end()}};
   for (const float wrap : wraps)
     if (nearKindsOf(rig.lightKinds(), wrap, wrappedDisk).has(Effect::light_near_diskTable)) room.diskTable = true;

@@ -84,6 +84,8 @@ Result<SceneRenderer> SceneRenderer::create(const GpuContext& context, std::span
   std::vector<Drawn> drawn;
   std::uint32_t vertices = 0;
   for (const DrawnObject& object : objects) {
+    if (object.rig != nullptr)
+      if (const auto error = checkGpuRig(object.rig->rig().spec())) return *error;
     drawn.push_back({object.object, object.rig, room.rigs.size(), DrawList(*object.object, options.wrap), vertices});
     vertices += drawn.back().draws.vertexCount();
     if (object.rig != nullptr) room.rigs.push_back(object.rig);

@@ -26,6 +26,10 @@ struct GpuHalf4 {
 /// vec4 that an SH vector takes: 3, 7, 12, 19 for 2 to 5 bands.
 constexpr int gpuVectorSize(int bands) noexcept { return (3 * shCount(bands) + 3) / 4; }
 
+/// The error that such rigs have no shaders, for the models that were tried and dropped (rbf, latticegrad, hermite);
+/// nothing for all others. What follows is for those others alone.
+std::optional<Error> checkGpuRig(const RigSpec& spec);
+
 /// Where a rig's numbers go, in vec4 of their buffer.
 struct GpuRigPlace {
   int offset = 0;       // of the coefficients

@@ -1,12 +1,13 @@
 // How wrong a rig can be about one light: a conservative bound, cheap enough for every light in every frame.
 //
 // Error means |E_rig(p, n) - E_sh(p, n)|, both three-band SH irradiance, largest over all unit normals n and over the
-// points p served: the box of the pose (or a ball in it), for poly and @lsq the surface, known by the anchors and the
-// extremes of their patches. Constant, gradient, lattice and mixed rigs: theorems (light_field.h, light_bound.cpp),
-// with a median of bound/true of 1.0 - 1.9 for point and sphere lights, 1.1 - 2.2 for disks (disk_bound.cpp). Poly,
-// @lsq and @gauss: the weights of the rig's own operator times Chebyshev coefficients of the light (sample_bound.cpp),
-// 2 - 16, checked rather than proven. invquad: for the falloff the rig has when LightBounds is made (Rig::adapt); its
-// weights are bounded by theorem (falloff_weights.h), which is loose. Figures: rigs/README.md.
+// points p served: the box of the pose (or a ball in it), for poly, rbf and @lsq the surface, known by the anchors and
+// the extremes of their patches. Constant, gradient, lattice and mixed rigs: theorems (light_field.h, light_bound.cpp),
+// with a median of bound/true of 1.0 - 1.9 for point and sphere lights, 1.1 - 2.2 for disks (disk_bound.cpp);
+// latticegrad and hermite: theorems too, of the light's curvature. Poly, rbf, @lsq and @gauss: the weights of the rig's
+// own operator times Chebyshev coefficients of the light (sample_bound.cpp), 2 - 16, checked rather than proven.
+// invquad: for the falloff the rig has when LightBounds is made (Rig::adapt); its weights are bounded by theorem
+// (falloff_weights.h), which is loose. Figures: rigs/README.md.
 #pragma once
 
 #include <rigel/light.h>
@@ -74,9 +75,11 @@ struct BoundPlan {
   struct Axis {
     double half = 0;      // of the box
     double node = 0;      // of the box of the rig's own samples
+    double spacing = 0;   // of these, where how close a light comes to them must be known better than their box tells
     double first = 0;     // error per largest slope along the axis ...
     double second = 0;    // ... and per largest curvature
-    double gradient = 0;  // half extent, where the axis is modelled by a slope
+    double gradient = 0;  // m that slopes along the axis reach from their samples, where it is modelled by slopes
+    double reach = 0;     // the same of an expansion, whose error is gradient * reach / 2 per curvature
     double kink = 0;      // error per jump of the slope along the axis
   };
   Kind kind = Kind::tensor;

@@ -3,7 +3,8 @@
 // A rig is S sample functionals (the SH value, or its derivative along a direction, at a position), a K x S operator P
 // and K basis functions of position. Per frame c_k = sum_s P_ks F_s (K SH vectors); per point L(p) = sum_k phi_k(p)
 // c_k. Everything here is in the rig frame [m]; SH stay in world axes. After "Irradiance Rigs" (Yuan, Nowrouzezahrai,
-// Sloan 2010); @gauss, poly, invquad and least squares are ours.
+// Sloan 2010), rbf, latticegrad and hermite being what they tried and dropped; @gauss, poly, invquad and least squares
+// are ours.
 #pragma once
 
 #include <rigel/rig_spec.h>
@@ -91,7 +92,8 @@ class Rig {
   /// two must not overlap.
   void fit(std::span<const float> functionals, int width, std::span<float> coefficients) const noexcept;
 
-  /// phi_k(p). Lattice axes clamp p to the box; gradient and poly extrapolate. A NaN counts as the box's centre.
+  /// phi_k(p). Lattice axes and rbf clamp p to the box; gradient and poly extrapolate. A NaN counts as the box's
+  /// centre.
   void basis(Vec3 p, RigBasis& out) const noexcept;
 
   /// Condition number of the current least-squares problem (2-norm, estimated within a factor of a few, columns of unit
@@ -105,6 +107,8 @@ class Rig {
  private:
   class TensorModel;
   class PolyModel;
+  class RbfModel;
+  class SlopeGridModel;
   friend class SamplePlanner;  // light_bound.h reads the operator
   friend class GpuRigReader;   // gpu_rig.h the monomials and nodes
   explicit Rig(std::unique_ptr<Model> model) noexcept;

@@ -1,5 +1,5 @@
 // The text form of a rig model: "constant", "gradient@numeric", "lattice:3x2x2", "mixed:l3,g,c", "poly:6",
-// "invquad:6", "auto", ...
+// "invquad:6", "auto", "rbf:12", "latticegrad:2x2x1", "hermite:2x2x1", ...
 #pragma once
 
 #include <rigel/result.h>
@@ -34,13 +34,21 @@ enum class FitMethod {
 };
 
 struct RigSpec {
-  enum class Family { tensor, poly };
+  /// The last three are models that the paper tried and dropped: for comparison on the CPU, without shaders.
+  enum class Family {
+    tensor,
+    poly,
+    rbf,          // radial basis functions about K points of the surface
+    latticegrad,  // a lattice whose nodes hold value and slopes, blended first-order expansions
+    hermite,      // the same nodes, cubic along the axes
+  };
   Family family = Family::tensor;
-  std::array<AxisModel, 3> axes;  // tensor: by decreasing extent of the rest box, or x, y, z if `pinnedAxes`
+  /// By decreasing extent of the rest box, or x, y, z if `pinnedAxes`; latticegrad and hermite: lattice or constant.
+  std::array<AxisModel, 3> axes;
   bool pinnedAxes = false;
   LatticeKernel kernel = LatticeKernel::linear;
   FitMethod fit = FitMethod::corners;
-  int polyTerms = 0;  // poly: K
+  int terms = 0;  // poly, rbf: K
   bool falloff =
       false;  // poly: `invquad`, the polynomial times one falloff 1/quadratic, fitted to the light each frame
   bool adaptive = false;  // poly: `auto`, whose coefficients and near lights are weighed anew each frame
@@ -48,13 +56,13 @@ struct RigSpec {
 
   std::string text;  // as the user wrote it, without blanks
 
-  /// SH vectors stored: product of lattice nodes times (1 + gradient axes), or K.
+  /// SH vectors stored: product of lattice nodes times (1 + gradient axes) (latticegrad, hermite: times 4), or K.
   int shVectors() const noexcept;
 
   /// The same model, however it was written.
   friend bool operator==(const RigSpec& a, const RigSpec& b) noexcept {
     return a.family == b.family && a.axes == b.axes && a.pinnedAxes == b.pinnedAxes && a.kernel == b.kernel &&
-           a.fit == b.fit && a.polyTerms == b.polyTerms && a.falloff == b.falloff && a.adaptive == b.adaptive;
+           a.fit == b.fit && a.terms == b.terms && a.falloff == b.falloff && a.adaptive == b.adaptive;
   }
 };
 
