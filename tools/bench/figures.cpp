@@ -54,8 +54,8 @@ struct FittedRig {
 
 /// A whole character: refresh, project and fit; and shading it at a point.
 void addRigCases(std::vector<BenchCase>& cases) {
-  for (const std::string text :
-       {"constant", "gradient", "mixed:l3,g,c", "lattice:3x2x2", "lattice:8x4x2", "poly:6", "poly:12"}) {
+  for (const std::string text : {"constant", "gradient", "mixed:l3,g,c", "lattice:3x2x2", "lattice:8x4x2", "poly:6",
+                                 "poly:12", "rbf:12", "latticegrad:3x1x1", "hermite:3x1x1"}) {
     const bool isBaseline = text == "constant";
     const auto fitted = std::make_shared<FittedRig>(text);
     cases.push_back(
