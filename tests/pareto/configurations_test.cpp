@@ -13,9 +13,11 @@ using namespace rigel::tools;
 TEST(Configurations, CoverEveryFamilyOverItsSizes) {
   std::map<std::string, std::set<int>> sizes;
   for (const RigSpec& spec : paretoRigs()) sizes[familyOf(spec)].insert(spec.shVectors());
-  for (const char* family : {"constant", "gradient", "lattice", "mixed", "poly", "invquad", "auto"})
+  for (const char* family :
+       {"constant", "gradient", "lattice", "mixed", "poly", "invquad", "auto", "rbf", "latticegrad", "hermite"})
     EXPECT_TRUE(sizes.contains(family)) << family;
-  for (const char* family : {"lattice", "mixed", "poly", "invquad"}) EXPECT_GE(sizes[family].size(), 4u) << family;
+  for (const char* family : {"lattice", "mixed", "poly", "invquad", "rbf", "latticegrad", "hermite"})
+    EXPECT_GE(sizes[family].size(), 4u) << family;
 }
 
 TEST(Configurations, CoverNearLightsAndBands) {

@@ -18,6 +18,8 @@ constexpr const char* kRigs =
     "mixed:l3,l2,g@gauss;mixed:l3,g,c@lsq;"
     "poly:1;poly:2;poly:3;poly:4;poly:6;poly:8;poly:10;poly:12;poly:16;poly:20;poly:28;poly:35;poly:56;"
     "invquad:1;invquad:3;invquad:4;invquad:6;invquad:8;invquad:10;invquad:12;invquad:16;invquad:20;"
+    "rbf:4;rbf:6;rbf:12;rbf:24;rbf:48;latticegrad:2x1x1;latticegrad:3x1x1;latticegrad:2x2x2;latticegrad:4x2x2;"
+    "hermite:2x1x1;hermite:3x1x1;hermite:2x2x2;hermite:4x2x2;"
     "auto;auto:30";
 
 using Kind = LightingTarget::Kind;

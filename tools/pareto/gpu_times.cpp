@@ -50,8 +50,10 @@ class Timing {
  private:
   /// Making a shader takes longer than timing it, so that in other bands and 16 bits only rigs are timed that are worth
   /// it: those on a front of the compared bands.
-  bool isTimed(const ParetoPoint& point) const {
-    return point.form == NearForm::exact && (isCompared(point, bands_) || worthIt_.contains(point.spec));
+  bool isTimed(const std::vector<ParetoPoint>& points, std::size_t i) const {
+    const ParetoPoint& point = points[i];
+    if (point.form != NearForm::exact || checkGpuRig(object_.rigOf(i).rig().spec())) return false;
+    return isCompared(point, bands_) || worthIt_.contains(point.spec);
   }
   bool isAdaptive(std::size_t i) const { return object_.rigOf(i).rig().spec().adaptive; }
   double perPoint(const PointTimer& timer) const {
@@ -69,7 +71,7 @@ class Timing {
     shaderOf_.resize(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
       step_(0.6 * static_cast<double>(i) / static_cast<double>(points.size()));
-      if (!isTimed(points[i]) || isAdaptive(i)) continue;
+      if (!isTimed(points, i) || isAdaptive(i)) continue;
       const RigRunner& rig = object_.plainRigOf(i);
       const ShaderVariant variant = plainVariant(rig, wraps().front());
       const auto known = std::ranges::find_if(
@@ -92,7 +94,7 @@ class Timing {
       std::vector<std::size_t> some;
       for (std::size_t i = 0; i < points.size(); ++i) {
         const bool counted = points[i].bands == bands && points[i].target.empty() && points[i].near != "0";
-        if (!counted || !isTimed(points[i]) || points[i].half || isAdaptive(i)) continue;
+        if (!counted || !isTimed(points, i) || points[i].half || isAdaptive(i)) continue;
         if (!some.empty() && &object_.plainRigOf(i) != &object_.plainRigOf(some.front())) break;
         if (!object_.rigOf(i).nearLights().empty()) some.push_back(i);
       }
@@ -140,7 +142,7 @@ class Timing {
   std::optional<Error> measureAdaptive(std::vector<ParetoPoint>& points) {
     std::map<std::tuple<std::string, int, bool>, std::vector<std::size_t>> kinds;
     for (std::size_t i = 0; i < points.size(); ++i)
-      if (isTimed(points[i]) && isAdaptive(i)) kinds[{points[i].spec, points[i].bands, points[i].half}].push_back(i);
+      if (isTimed(points, i) && isAdaptive(i)) kinds[{points[i].spec, points[i].bands, points[i].half}].push_back(i);
     double done = 0.7;
     for (const auto& [kind, members] : kinds) {
       const auto wantsAll = [&](std::size_t i) {

@@ -98,7 +98,8 @@ void ObjectPareto::addEntries(std::size_t m) {
       entry.half = half;
     };
     add(NearForm::exact, false);
-    if (what.nearForms || what.spec.adaptive) add(NearForm::exact, true);
+    const bool onGpu = !checkGpuRig(what.spec);
+    if (onGpu && (what.nearForms || what.spec.adaptive)) add(NearForm::exact, true);
     if (!what.nearForms || what.near[s].near.automatic || what.near[s].near.slots == 0) continue;
     if (!wraps_) add(NearForm::cheap, false);
     if (what.bands == kDefaultBands) add(NearForm::corrector, false);

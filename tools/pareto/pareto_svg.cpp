@@ -18,7 +18,7 @@ namespace {
 constexpr int kWidth = 1200, kHeight = 560;
 constexpr double kTop = 92, kBottom = 490;
 
-// As page/pareto.js colours families.
+// As page/pareto.css colours families.
 struct FamilyColour {
   const char *family, *light, *dark;
 };
