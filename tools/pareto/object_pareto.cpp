@@ -257,7 +257,9 @@ ParetoPoint ObjectPareto::report(const Entry& entry) const {
   if (!entry.fit.empty()) out.fitMicroseconds = meanOf(entry.fit);
   if (!entry.half && !entry.shade.empty())  // a CPU reads floats
     out.shadeNanoseconds = 1000 * meanOf(entry.shade) / static_cast<double>(timedPoints_.size());
-  if (!entry.half && entry.form == NearForm::exact) out.modelledNanoseconds = entry.modelled / frames;
+  // The cost model is of what shaders evaluate.
+  if (!entry.half && entry.form == NearForm::exact && !checkGpuRig(what.spec))
+    out.modelledNanoseconds = entry.modelled / frames;
   return out;
 }
 
