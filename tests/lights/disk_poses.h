@@ -2,9 +2,11 @@
 // the horizon across the disk.
 #pragma once
 
+#include <rigel/exact.h>
 #include <rigel/light.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "lights/describe.h"
@@ -43,6 +45,18 @@ inline Vec3 normalAcross(Random& random, const DiskLight& light, Vec3 p) {
   if (!(d > 0)) return random.direction();
   const Vec3 across = perpendicular(random, w * (1 / d));
   return unit(across + w * ((random.index(2) == 0 ? 0.0f : random.uniformf(-0.2, 0.2)) / d));
+}
+
+/// The length of the vector irradiance, of which E(n) - E(-n) is the component along n.
+inline double peakOf(const DiskLight& light, Vec3 p) {
+  double squared = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    Vec3 n;
+    n[axis] = 1;
+    const double along = exactIrradiance(light, p, n).r - exactIrradiance(light, p, -n).r;
+    squared += along * along;
+  }
+  return std::sqrt(squared);
 }
 
 /// Distances in radii, the light within a few radii of the origin.

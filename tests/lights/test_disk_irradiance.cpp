@@ -16,6 +16,7 @@ namespace {
 using reference::Worst;
 using test::DiskFamily;
 using test::DiskPose;
+using test::peakOf;
 using test::Random;
 
 struct Family {
@@ -46,18 +47,6 @@ constexpr WrapTolerance kWrapTolerances[] = {{-0.25f, -0.1f, 0.04}, {-0.1f, -1e-
 constexpr double kHalfLambertTolerance = 5e-4;
 
 int caseCount() { return test::fullRun() ? 2'000'000 : 10'000; }
-
-/// The length of the vector irradiance, of which E(n) - E(-n) is the component along n.
-double peakOf(const DiskLight& light, Vec3 p) {
-  double squared = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    Vec3 n;
-    n[axis] = 1;
-    const double along = exactIrradiance(light, p, n).r - exactIrradiance(light, p, -n).r;
-    squared += along * along;
-  }
-  return std::sqrt(squared);
-}
 
 void compare(Worst& worst, const DiskPose& pose, double actual, double expected, double peak) {
   worst.add(std::abs(actual - expected) / peak, [&] {
