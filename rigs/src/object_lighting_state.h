@@ -194,8 +194,7 @@ struct ObjectLighting<B>::State {
     }
     check.rows.resize(static_cast<int>(candidates.size()));
     for (std::size_t i = 0; i < candidates.size(); ++i) {
-      const float x = next > 0 ? std::clamp(4 * (ranks[candidates[i]] / next - 1), 0.0f, 1.0f) : 1;
-      check.rows.fade[i] = x * x * (3 - 2 * x);
+      check.rows.fade[i] = next > 0 ? smoothstep(4 * (ranks[candidates[i]] / next - 1)) : 1;
       check.rows.contact[i] = contacts[candidates[i]];
     }
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "anchors.h"
+#include "weights.h"
 
 namespace rigel {
 namespace {
@@ -23,9 +24,8 @@ float coneOnPatch(const SpotLight& light, Vec3 patch, float d, float rho) noexce
   const float cosine = d > 0 ? dot(light.direction, patch - light.position) / (axis * d) : 1.0f;
   const float angle = std::acos(std::clamp(cosine, -1.0f, 1.0f));
   const float seen = d > rho ? std::asin(rho / d) : static_cast<float>(kPi / 2);
-  const float x = std::clamp((light.outerAngle + seen - angle) / std::max(seen, 1e-6f), 0.0f, 1.0f);
   const float t = light.outerAngle < static_cast<float>(kPi / 4) ? std::tan(light.outerAngle) : 1.0f;
-  return x * x * (3 - 2 * x) * t * t;
+  return smoothstep((light.outerAngle + seen - angle) / std::max(seen, 1e-6f)) * t * t;
 }
 
 /// How much of a patch of radius rho lies before a disk: 0 where it is all behind.
@@ -33,8 +33,7 @@ float patchBefore(const DiskLight& light, Vec3 patch, float rho) noexcept {
   const float axis = length(light.direction);
   if (!(axis > 0)) return 0;
   const float height = dot(light.direction, patch - light.position) / axis;
-  const float x = std::clamp(((light.twoSided ? std::abs(height) : height) / rho + 1) / 2, 0.0f, 1.0f);
-  return x * x * (3 - 2 * x);
+  return smoothstep(((light.twoSided ? std::abs(height) : height) / rho + 1) / 2);
 }
 
 /// The same disk, turned to the point, or as it is where it is there.
@@ -217,8 +216,7 @@ float SurfaceCheck<B>::excessOf(const Light& light) const noexcept {
       const float d = length(light.position - point.position);
       if (!(d < 3 * rho)) continue;
       const float r = std::max(light.radius, kMinPointRadius);
-      const float x = std::clamp((d / rho - 1) / 2, 0.0f, 1.0f);
-      const float apart = x * x * (3 - 2 * x);
+      const float apart = smoothstep((d / rho - 1) / 2);
       const float h2 = std::max(std::lerp(std::max(r * d, kLeastHeight * rho * rho), d * d, apart), r * r);
       const float reach = std::max({d, rho, r});
       const auto square = [&](const auto& of) {
