@@ -12,12 +12,13 @@ say() {
 
 # Lists the Debian packages of the given groups of tools/packages.txt that are not installed, one a line.
 missing_packages() {
-  local group package
-  while read -r group package; do
+  local group package instead
+  while read -r group package instead; do
     case " $* " in
       *" $group "*) ;;
       *) continue ;;
     esac
+    if [ -n "$instead" ] && command -v "$instead" >/dev/null; then continue; fi
     if [ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" != installed ]; then
       echo "$package"
     fi

@@ -1,4 +1,4 @@
-// Writes a made-up study, for the page's test and for looking at: pareto_fixture cpu|gpu DIR
+// Writes a made-up study, for tests/page and for looking at: pareto_fixture cpu|gpu DIR
 #include "made_up_pareto.h"
 #include "pareto/write_pareto.h"
 

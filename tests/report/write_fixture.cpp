@@ -1,4 +1,4 @@
-// Writes a made-up report, for check_page.sh and for looking at: report_fixture made-up|crowd|smallest|hostile DIR
+// Writes a made-up report, for tests/page and for looking at: report_fixture made-up|crowd|smallest|hostile DIR
 #include "report/report_text.h"
 #include "report/write_report.h"
 #include "report_fixture.h"

@@ -1,16 +1,14 @@
-// Drives the chart's page as a reader would, through its elements alone (tests/report/page_driver.js). check_page.sh appends
-// this to a page; the page itself knows nothing of it.
-(() => {
-  const data = JSON.parse(document.getElementById('pareto-data').textContent);
-  const all = (selector, node = document) => [...node.querySelectorAll(selector)];
-  const button = (group, label) => all(`[aria-label="${group}"] button`).find((candidate) => candidate.textContent.trim() === label);
-  const marks = () => all('.pareto-plot svg [role="button"]');
-  const argumentsOf = (mark) => mark.dataset.arguments;
-  const command = () => document.querySelector('.detail code').textContent;
-  const shown = () => data.objects[0].points.filter((point) => point.bands === 3 && point.storage === 'float' && point.near_form === 'exact');
+// The page of rigel pareto: fronts, filters, keyboard and pointer, the table.
+import {inPage, pageTest} from './harness.mjs';
 
-  async function run() {
-    for (let i = 0; i < 10 && !marks().length; ++i) await drawn();
+for (const name of ['pareto-cpu', 'pareto-gpu']) {
+  pageTest('what accuracy costs: fronts, filters, keyboard, pointer and table', name, ({page}) => inPage(page, ({check, equal, all: every, press, button: buttonIn, data}) => {
+    const all = (selector, node = document) => every(node, selector);
+    const button = (group, label) => buttonIn(document, group, label);
+    const marks = () => all('.pareto-plot svg [role="button"]');
+    const argumentsOf = (mark) => mark.dataset.arguments;
+    const command = () => document.querySelector('.detail code').textContent;
+    const shown = () => data.objects[0].points.filter((point) => point.bands === 3 && point.storage === 'float' && point.near_form === 'exact');
     const object = data.objects[0];
     equal(document.title, `What accuracy costs: ${data.scene}`, 'title');
     equal(marks().length, shown().length, 'marks of the compared bands, floats and forms');
@@ -93,8 +91,5 @@
     objects[2].click();
     equal(marks().length, shown().length, 'and back');
     equal(document.title, `What accuracy costs: ${data.scene}`, 'no name runs');
-    check(document.documentElement.scrollWidth <= innerWidth + 1, `wider than its window: ${document.documentElement.scrollWidth} of ${innerWidth}`);
-  }
-
-  drive(run);
-})();
+  }));
+}
