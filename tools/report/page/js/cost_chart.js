@@ -12,7 +12,7 @@ function costChart(object, store) {
     kind.show(error);
     drawing.again();
   });
-  store.watch(({rig}) => markPoint(place, rig));
+  store.watch(({rig}) => markPoint(place, rig), 'rig');
   return element('div', {class: 'card'}, element('div', {class: 'bar'}, element('h3', {}, 'Error against cost'), costChoice.node, kind.node), place,
     element('p', {class: 'hint'}, 'Down and to the left is better. The line joins the rigs that no other beats in both.'));
 }

@@ -35,17 +35,23 @@ function swatch(color) {
   return node;
 }
 
-/** Values that several views share: `set` calls every listener, `watch` calls its listener once at once. */
+/**
+ * Values that several views share. `watch(listener, ...names)` calls its listener at once, and again whenever one of the values
+ * named has changed (any value where none is named).
+ */
 function makeStore(values) {
   const listeners = [];
   return {
     get: () => values,
     set(change) {
+      const before = values;
       values = {...values, ...change};
-      listeners.forEach((listener) => listener(values));
+      for (const {listener, names} of listeners) {
+        if (!names.length || names.some((name) => values[name] !== before[name])) listener(values);
+      }
     },
-    watch(listener) {
-      listeners.push(listener);
+    watch(listener, ...names) {
+      listeners.push({listener, names});
       listener(values);
     },
   };

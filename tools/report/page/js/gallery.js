@@ -23,7 +23,7 @@ function gallery(object, frames, store) {
     heat.show(shown);
     figures.replaceChildren(...pictureFigures(object, shown, time));
     sheet.show(frames[frame], shown?.label);
-  });
+  }, 'rig', 'frame');
   return element('div', {class: 'card gallery'},
     element('div', {class: 'bar'}, element('h3', {}, 'Pictures'), frames.length > 1 ? frameChoice.node : null, rigChoice.node),
     element('div', {class: 'viewer'}, wipe.node, heat.node), figures, sheet.node);

@@ -70,7 +70,7 @@ function lightTable(object, store) {
       ? `${rig.spec} with ${rig.asked}: ${figure(rig.near_lights)} near lights a frame on average.`
       : `${rig.spec} leaves every light in the rig. Lights near the object can be evaluated apart: --near 2, or --near auto.`;
     draw();
-  });
+  }, 'rig');
   return element('div', {class: 'card'}, element('div', {class: 'bar'}, element('h3', {}, 'Lights'), object.rigs.length > 1 ? rigs.node : null),
     summary, object.truth.length > 1 ? courseLegend() : null,
     element('div', {class: 'scroller', tabindex: '0', role: 'region', 'aria-label': `Lights of ${object.name}`},

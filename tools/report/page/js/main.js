@@ -1,8 +1,12 @@
 // Puts the page together.
 
+/**
+ * All views of an object share its store: `rig` is the spec chosen; `frame` the pictured frame shown (an index into `frames`); `cursor`
+ * the moment that all views over time point at (an index into object.truth), null while there is none.
+ */
 function objectSection(object, index) {
   const frames = pictureFrames(index);
-  const store = makeStore({rig: object.verdict?.spec ?? null, frame: 0});
+  const store = makeStore({rig: object.verdict?.spec ?? null, frame: 0, cursor: null});
   const section = element('section', {class: 'object', id: `object-${index}`}, element('h2', {}, object.name),
     element('p', {class: 'facts'}, [sceneTitle(sceneOf(object)), plural(object.triangles, 'triangle'), plural(object.samples, 'surface sample'),
       plural(sceneOf(object).frames, 'frame'), `mean irradiance ${figure(object.mean_irradiance)} W/m²`].join(' · ')));

@@ -74,7 +74,7 @@ function rigTable(object, store) {
   }
 
   settings.watch(draw);
-  store.watch(mark);
+  store.watch(mark, 'rig');
   return element('div', {class: 'card'}, element('h3', {}, 'All rigs'),
     element('div', {class: 'scroller', tabindex: '0', role: 'region', 'aria-label': `Figures of all rigs of ${object.name}`},
       element('table', {class: 'rigs'}, element('thead', {}, element('tr', {}, ...headers)), body)), hint);

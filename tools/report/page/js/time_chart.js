@@ -63,7 +63,7 @@ function timeChart(object, frames, store) {
     scaleChoice.show(scale);
     drawing.again();
   });
-  store.watch(() => drawing.again());
+  store.watch(() => drawing.again(), 'rig');
   return element('div', {class: 'card'}, element('div', {class: 'bar'}, element('h3', {}, 'Error over time'), kind.node, scaleChoice.node),
     legend, place,
     element('p', {class: 'hint'}, 'Where an error moves while the truth stands still, light pops. Dashed: what the chosen rig takes its own error for. ', frames.length ? 'Triangles mark the frames that have pictures; click to see the nearest.' : null));
