@@ -129,6 +129,7 @@ struct ObjectReport {
   std::vector<TruthFrame> truth;
   std::vector<RigReport> rigs;
   std::vector<Picture> pictures;  // all of one frame together: truth first
+  std::string view3d;             // for the page (view3d_json.h); "" without one
 };
 
 struct LightRow {
@@ -172,6 +173,7 @@ struct SceneReport {
   std::vector<ObjectReport> objects;
   std::vector<SharedBudget> budgets;  // one a rig that shares the frame's time
   std::optional<DiskReport> disks;    // where the scene has disk lights
+  std::string view3d;                 // what its objects' views share; "" without any
 };
 
 struct Report {
