@@ -1,5 +1,7 @@
 #include "report_fixture.h"
 
+#include "view_fixture.h"
+
 #include "picture/heat_map.h"
 #include "picture/image_io.h"
 
@@ -209,6 +211,7 @@ Report makeReport() {
   for (int i = 3; i < 60; ++i) street.lights.push_back({"window " + std::to_string(i), "point", "I 1 1 1 W/sr"});
   street.objects = {object("car", 61, 1.0, street.lights)};
   street.disks = diskReport();
+  addMadeUpView(street);
 
   SceneReport still;
   still.scene = "characters/soldier1.gltf";

@@ -68,7 +68,10 @@ TEST(ReportHtml, NeedsNothingButItself) {
   EXPECT_THAT(html, Not(HasSubstr("src=\"http")));
   EXPECT_THAT(html, Not(HasSubstr("href=\"http")));
   EXPECT_THAT(html, Not(HasSubstr("@import")));
-  EXPECT_THAT(html, Not(HasSubstr("innerHTML"))) << "names from files are written as text";
+  for (const tools::PageFile& file : tools::pageFiles()) {
+    if (file.name == "charts.js") continue;  // Plot's own, for markup that is handed to it as such
+    EXPECT_EQ(file.content.find("innerHTML"), std::string_view::npos) << file.name << ": names are written as text";
+  }
 }
 
 TEST(ReportHtml, EmbedsEveryPictureOnce) {
@@ -88,8 +91,12 @@ TEST(ReportHtml, EmbedsEveryPictureOnce) {
   }
   ASSERT_EQ(pictures, 3u * 17u);  // truth, eight rigs and their differences: two frames and a still
   EXPECT_EQ(occurrences(html, "data:image/png;base64,"), pictures);
-  // Base64 is 4/3 of the bytes; style, script and figures took 260 kB when this was written.
-  EXPECT_LT(html.size(), bytes * 4 / 3 + 350'000);
+  std::size_t libraries = 0;
+  for (const tools::PageFile& file : tools::pageFiles())
+    libraries += file.name == "charts.js" ? file.content.size() : 0;
+  for (const tools::PageFile& file : tools::threeFiles()) libraries += file.content.size();
+  // Base64 is 4/3 of the bytes; style, script and figures took 350 kB when this was written.
+  EXPECT_LT(html.size(), bytes * 4 / 3 + libraries + 500'000);
 }
 
 TEST(ReportHtml, NamesCannotLeaveTheDataBlock) {

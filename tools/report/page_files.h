@@ -16,4 +16,7 @@ struct PageFile {
 std::span<const PageFile> pageFiles() noexcept;
 std::span<const PageFile> paretoPageFiles() noexcept;
 
+/// The bundle of three.js, for pages with a 3-D view.
+std::span<const PageFile> threeFiles() noexcept;
+
 }  // namespace rigel::tools

@@ -4,6 +4,7 @@
 #include "report/base64.h"
 #include "report/page_template.h"
 #include "report/report_json.h"
+#include "report/view3d_json.h"
 
 #include <fmt/format.h>
 
@@ -43,6 +44,14 @@ Json embeddedPictures(const Report& report) {
   return objects;
 }
 
+/// three.js and what it shows, where there is anything.
+std::string view3dScripts(const Report& report) {
+  const std::string data = view3dJson(report);
+  if (data.empty()) return "";
+  return fmt::format("<script type=\"application/json\" id=\"view3d-data\">{}</script>\n<script>\n{}</script>\n", data,
+                     concatenated(threeFiles(), ".js"));
+}
+
 }  // namespace
 
 std::string scriptSafeJson(const nlohmann::ordered_json& document) {
@@ -67,7 +76,8 @@ std::string reportHtml(const Report& report, const nlohmann::ordered_json& docum
       {{"STYLE", all(".css")},
        {"SCRIPT", all(".js")},
        {"DATA", scriptSafeJson(document)},
-       {"PICTURES", scriptSafeJson({{"colors", heatMapColors()}, {"objects", embeddedPictures(report)}})}});
+       {"PICTURES", scriptSafeJson({{"colors", heatMapColors()}, {"objects", embeddedPictures(report)}})},
+       {"VIEW3D", view3dScripts(report)}});
 }
 
 }  // namespace rigel::tools

@@ -9,6 +9,7 @@
 #include "report/loaded_scene.h"
 #include "report/object_run.h"
 #include "report/picture_names.h"
+#include "report/view3d_run.h"
 
 #include <algorithm>
 #include <chrono>
@@ -20,7 +21,9 @@ namespace {
 class SceneRun {
  public:
   /// Options and scene must outlive the run.
-  SceneRun(const RunOptions& options, const LoadedScene& scene) : options_(options), scene_(scene) {}
+  /// `timelines`: of the whole report, which share the page.
+  SceneRun(const RunOptions& options, const LoadedScene& scene, std::size_t timelines)
+      : options_(options), scene_(scene), timelines_(timelines) {}
 
   Result<SceneReport> measure(const Timeline& timeline, const std::filesystem::path& imageDirectory,
                               const std::string& pictureNames, const Progress& progress) const {
@@ -68,6 +71,7 @@ class SceneRun {
     if (options_.images) {
       if (auto error = takePictures(timeline, stage, *runs, {imageDirectory, pictureNames}, report, progress))
         return *error;
+      addViews(scene_, timeline, stage, *runs, options_, shareOf(ViewBudget{}, timelines_), report);
     }
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return report;
@@ -152,6 +156,7 @@ class SceneRun {
 
   const RunOptions& options_;
   const LoadedScene& scene_;
+  std::size_t timelines_;
 };
 
 }  // namespace
@@ -178,7 +183,7 @@ Result<Report> runReport(const RunOptions& options, const std::filesystem::path&
   report.rate = options.rate;
   std::size_t done = 0;
   for (std::size_t s = 0; s < scenes.size(); ++s) {
-    const SceneRun run(options, scenes[s]);
+    const SceneRun run(options, scenes[s], total);
     const std::vector<Timeline>& timelines = scenes[s].timelines();
     for (std::size_t t = 0; t < timelines.size(); ++t) {
       const std::string pictureNames =

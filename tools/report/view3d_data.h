@@ -12,9 +12,9 @@ namespace rigel::tools {
 
 /// One frame of an object. Points are in its rig frame [m], irradiance in W/m2.
 struct ObjectViewFrame {
-  RigFrame worldFromLocal;
-  std::vector<Vec3> positions;  // of the mesh's vertices
-  std::vector<Rgb> truth;       // exact irradiance at them
+  rigel::RigFrame worldFromLocal;  // not the report's
+  std::vector<Vec3> positions;     // of the mesh's vertices
+  std::vector<Rgb> truth;          // exact irradiance at them
 
   struct OfRig {
     RigBox box;

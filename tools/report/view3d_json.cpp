@@ -2,6 +2,7 @@
 
 #include "report/deflate.h"
 #include "report/view3d_pack.h"
+#include "report/view3d_plan.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -116,10 +117,24 @@ class ViewWriter {
   }
 
  private:
-  static Json pose(const RigFrame& frame) {
+  static Json pose(const rigel::RigFrame& frame) {
     Json out = Json::array();
     for (const Vec3 column : {frame.x, frame.y, frame.z, frame.origin}) append(out, column);
     return out;
+  }
+
+  /// Green, then how red and blue differ from it: less than each by itself.
+  template <class Pack, class Colours>
+  void addColours(const Colours& coloursOf, const Pack& pack) {
+    for (const int channel : {1, 0, 2}) {
+      Course<std::uint8_t> course(packer_);
+      for (const ObjectViewFrame* frame : frames_) {
+        std::vector<std::uint8_t> row;
+        for (const Rgb& e : coloursOf(*frame))
+          row.push_back(static_cast<std::uint8_t>(channel == 1 ? pack(e.g) : pack(e[channel]) - pack(e.g)));
+        course.add(std::move(row));
+      }
+    }
   }
 
   void addTriangles(const std::vector<std::array<std::uint16_t, 3>>& triangles) {
@@ -145,14 +160,9 @@ class ViewWriter {
     float most = std::numeric_limits<float>::min();
     for (const ObjectViewFrame* frame : frames_)
       for (const Rgb& e : frame->truth) most = std::max({most, e.r, e.g, e.b});
-    for (int channel = 0; channel < 3; ++channel) {
-      Course<std::uint8_t> course(packer_);
-      for (const ObjectViewFrame* frame : frames_) {
-        std::vector<std::uint8_t> row;
-        for (const Rgb& e : frame->truth) row.push_back(packedMagnitude(e[channel], most));
-        course.add(std::move(row));
-      }
-    }
+    addColours(
+        [](const ObjectViewFrame& frame) -> const auto& { return frame.truth; },
+        [most](float x) { return packedMagnitude(x, most); });
     return most;
   }
 
@@ -169,14 +179,9 @@ class ViewWriter {
       append(box, rig.box.hi);
       boxes.push_back(std::move(box));
     }
-    for (int channel = 0; channel < 3; ++channel) {
-      Course<std::uint8_t> course(packer_);
-      for (const ObjectViewFrame* frame : frames_) {
-        std::vector<std::uint8_t> row;
-        for (const Rgb& e : frame->rigs[r].error) row.push_back(packedSigned(e[channel], most));
-        course.add(std::move(row));
-      }
-    }
+    addColours(
+        [r](const ObjectViewFrame& frame) -> const auto& { return frame.rigs[r].error; },
+        [most](float x) { return packedSigned(x, most); });
     Course<std::uint8_t> lights(packer_);
     for (const ObjectViewFrame* frame : frames_) lights.add(frame->rigs[r].lights);
     for (int axis = 0; axis < 3; ++axis) {
@@ -214,10 +219,10 @@ std::string packedPlaces(const SceneView& view) {
 }  // namespace
 
 std::string packedView(const ObjectView& view, std::size_t bytes) {
-  for (std::size_t step = 1; step <= view.frames.size(); step *= 2) {
+  for (std::size_t count = view.frames.size(); count > 0;) {
     std::vector<const ObjectViewFrame*> frames;
     Json shown = Json::array();
-    for (std::size_t f = 0; f < view.frames.size(); f += step) {
+    for (const std::size_t f : spread(view.frames.size(), count)) {
       frames.push_back(&view.frames[f]);
       shown.push_back(f);
     }
@@ -225,6 +230,7 @@ std::string packedView(const ObjectView& view, std::size_t bytes) {
     document["frames"] = std::move(shown);
     std::string text = document.dump();
     if (text.size() <= bytes) return text;
+    count = std::min(count - 1, count * bytes / text.size());
   }
   return "";
 }

@@ -3,14 +3,35 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <type_traits>
 
 namespace rigel::tools {
 namespace {
 
 template <class T>
-T difference(std::span<const T> row, std::span<const T> before, std::size_t i) {
-  const T predicted = !before.empty() ? before[i] : i > 0 ? row[i - 1] : T{0};
-  return static_cast<T>(row[i] - predicted);
+struct Differences {
+  std::uint8_t kind;
+  std::vector<T> values;
+  double size = 0;  // summed magnitudes, as signed numbers
+};
+
+template <class T, class Predict>
+Differences<T> differences(std::uint8_t kind, std::span<const T> row, const Predict& predict) {
+  Differences<T> out{kind, {}};
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    out.values.push_back(static_cast<T>(row[i] - predict(i)));
+    out.size += std::abs(static_cast<double>(static_cast<std::make_signed_t<T>>(out.values.back())));
+  }
+  return out;
+}
+
+template <class T>
+Differences<T> least(std::span<const T> row, std::span<const T> before) {
+  assert(before.empty() || before.size() == row.size());
+  auto along = differences(0, row, [&](std::size_t i) { return i > 0 ? row[i - 1] : T{0}; });
+  if (before.empty()) return along;
+  auto across = differences(1, row, [&](std::size_t i) { return before[i]; });
+  return across.size < along.size ? across : along;
 }
 
 /// x / most in [0, 1]; 0 where it has no value.
@@ -22,15 +43,16 @@ float share(float x, float most) {
 }  // namespace
 
 void RowPacker::add(std::span<const std::uint8_t> row, std::span<const std::uint8_t> before) {
-  assert(before.empty() || before.size() == row.size());
-  for (std::size_t i = 0; i < row.size(); ++i) bytes_.push_back(difference(row, before, i));
+  const auto packed = least(row, before);
+  bytes_.push_back(packed.kind);
+  bytes_.insert(bytes_.end(), packed.values.begin(), packed.values.end());
 }
 
 void RowPacker::add(std::span<const std::uint16_t> row, std::span<const std::uint16_t> before) {
-  assert(before.empty() || before.size() == row.size());
+  const auto packed = least(row, before);
+  bytes_.push_back(packed.kind);
   for (const int shift : {0, 8})
-    for (std::size_t i = 0; i < row.size(); ++i)
-      bytes_.push_back(static_cast<std::uint8_t>(difference(row, before, i) >> shift));
+    for (const std::uint16_t value : packed.values) bytes_.push_back(static_cast<std::uint8_t>(value >> shift));
 }
 
 std::uint16_t quantised(float x, float lo, float size) {

@@ -9,12 +9,13 @@
 
 namespace rigel::tools {
 
-/// Rows of small integers, one after another, each number as its difference from the one before it in the row or, where
-/// the row before is given, from its number there; differences wrap around.
+/// Rows of small integers, one after another. A row begins with a byte, 0: its numbers are written as differences from
+/// the one before, 1: as those from the row before, whichever leaves less. Differences wrap around.
 class RowPacker {
  public:
+  /// `before`: of the same length, or empty where there is no such row.
   void add(std::span<const std::uint8_t> row, std::span<const std::uint8_t> before = {});
-  /// All low bytes, then all high bytes.
+  /// All low bytes of the differences, then all high bytes.
   void add(std::span<const std::uint16_t> row, std::span<const std::uint16_t> before = {});
 
   const std::vector<std::uint8_t>& bytes() const { return bytes_; }

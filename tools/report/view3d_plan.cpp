@@ -12,7 +12,7 @@ constexpr std::size_t kLeastVertices = 1000;
 constexpr std::size_t kLeastFrames = 4;
 constexpr std::size_t kFewestVertices = 64;
 // Vertices come before frames up to here.
-constexpr std::size_t kGoodVertices = 2500;
+constexpr std::size_t kGoodVertices = 3500;
 // What deflating and base64 make of recorded bytes; a view that turns out larger loses frames (view3d_json).
 constexpr double kPacked = 0.8;
 constexpr std::size_t kLightsPart = 10;  // of a scene's bytes one in so many is for its lights
@@ -24,15 +24,14 @@ double bytesOfVertex(std::size_t frames, std::size_t rigs) {
   return 18 + static_cast<double>(frames) * (9 + 3 * static_cast<double>(rigs));
 }
 
-/// `count` of `all` frames, evenly spread from the first to the last.
+}  // namespace
+
 std::vector<std::size_t> spread(std::size_t all, std::size_t count) {
   std::vector<std::size_t> frames;
   for (std::size_t k = 0; k < count; ++k)
     frames.push_back(count == 1 ? 0 : (k * (all - 1) + (count - 1) / 2) / (count - 1));
   return frames;
 }
-
-}  // namespace
 
 ViewBudget shareOf(const ViewBudget& budget, std::size_t scenes) {
   const std::size_t shares = std::max<std::size_t>(1, scenes);

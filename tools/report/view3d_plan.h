@@ -38,6 +38,9 @@ struct ViewPlan {
   std::size_t bytes = 0;             // of each object on the page, at most
 };
 
+/// `count` (1 to `all`) of `all` indices, evenly spread from the first to the last.
+std::vector<std::size_t> spread(std::size_t all, std::size_t count);
+
 /// Shows no object where even the least view of one would be too large.
 ViewPlan planViews(const ViewDemand& demand, const ViewBudget& budget);
 

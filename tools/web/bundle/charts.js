@@ -1,4 +1,4 @@
-/* Made by tools/web/build of 4d094b0c78390f67ed173403a140a5bf3f336d064777fca6ea445f9af395f09f. Observable Plot and what it is made of, under their licences:
+/* Made by tools/web/build of 8f55a35979440ec80e350d50a3516d7e1d732d8b092e9ef0c1fd8751d87dfcf7. Observable Plot and what it is made of, under their licences:
 
 @observablehq/plot 0.6.17
 
