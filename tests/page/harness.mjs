@@ -84,8 +84,11 @@ export async function settled(page) {
   await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done)))));
 }
 
+/** Each made-up report in one view or two; a real one in both. */
+const kViews = {crowd: [laptop], smallest: [phone], hostile: [phone], 'pareto-cpu': [phone]};
+
 /** A test on a page, once in each view: test(what, page's name, visitor, {views, webgl, reducedMotion}). */
-export function pageTest(what, name, visitor, {views = [laptop, phone], ...options} = {}) {
+export function pageTest(what, name, visitor, {views = kViews[name] ?? [laptop, phone], ...options} = {}) {
   for (const view of views) test(`${what} (${name}; ${view.name})`, () => visit(name, {view, ...options}, visitor));
 }
 

@@ -6,7 +6,8 @@ for (const name of reports) {
     const checkObject = (section, object) => {
       const card = section.querySelector('.light-use').closest('.card');
       const rows = () => all(card, 'tbody tr');
-      const names = () => rows().map((row) => row.querySelector('.name').textContent).join('|');
+      const nameOf = (row) => row.querySelector('.name').firstChild.textContent;
+      const names = () => rows().map(nameOf).join('|');
       const more = card.querySelector('.more');
       const sort = (title) => all(card, '.sort').find((candidate) => candidate.textContent.startsWith(title));
       const busiest = object.rigs.reduce((a, b) => (b.near_lights > a.near_lights ? b : a));
@@ -26,9 +27,9 @@ for (const name of reports) {
       sort('Bound').click();
       equal(names(), sorted((light) => light.bound, 1).map((light) => light.name).join('|'), 'sorted by bound, rising');
       sort('Near').click();
-      equal(rows()[0].querySelector('.name').textContent, sorted((light) => light.near_frames, -1)[0].name, 'sorted by frames near');
+      equal(nameOf(rows()[0]), sorted((light) => light.near_frames, -1)[0].name, 'sorted by frames near');
       for (const row of rows()) {
-        const light = lights.find((candidate) => candidate.name === row.querySelector('.name').textContent);
+        const light = lights.find((candidate) => candidate.name === nameOf(row));
         equal(row.querySelector('.why').textContent, light.why, 'reason');
         const strip = row.querySelector('.course');
         equal(Boolean(strip), object.truth.length > 1, 'course over time');
@@ -39,6 +40,19 @@ for (const name of reports) {
         equal(length('near') + length('blended') + length('far') + length('culled'), busiest.frames.length, 'every frame has a role');
         equal(all(strip, 'rect.role-near').length, light.roles.filter(([, name]) => name === 'near').length + light.blend_frames, 'rectangles of the strip');
         check(!/NaN|Infinity/.test(strip.outerHTML), 'a coordinate of the strip is no number');
+      }
+      const search = card.querySelector('.search');
+      equal(Boolean(search), lights.length > 20, 'search where there are many');
+      if (search) {
+        const wanted = lights[lights.length - 1].name;
+        search.value = wanted.toUpperCase();
+        search.dispatchEvent(new Event('input'));
+        check(rows().length < lights.length && names().split('|').includes(wanted), 'search finds a light');
+        search.value = 'no such light';
+        search.dispatchEvent(new Event('input'));
+        check(rows()[0].textContent.startsWith('No light'), 'nothing found');
+        search.value = '';
+        search.dispatchEvent(new Event('input'));
       }
       if (!more.hidden) more.click();
       equal(rows().length, Math.min(20, lights.length), 'first lights again');

@@ -2,35 +2,11 @@
 
 const kReach = 28;  // px within which a point is taken for the one meant
 
-const percentTick = (value) => `${Number((100 * value).toPrecision(3))}`;
-const costTick = (value) => (value >= 1e6 ? `${Number((value / 1e6).toPrecision(3))}M` : value >= 1e4 ? `${Number((value / 1e3).toPrecision(3))}k` : String(Number(value.toPrecision(3))));
-
-/** 1-2-5 steps, fewer where there are many decades. */
-function logTicks([low, high]) {
-  const decades = Math.log10(high / low);
-  const factors = decades > 3.5 ? [1] : decades > 1.6 ? [1, 3] : [1, 2, 5];
-  const ticks = [];
-  for (let e = Math.floor(Math.log10(low)); e <= Math.log10(high); ++e) ticks.push(...factors.map((factor) => factor * 10 ** e));
-  return ticks.filter((tick) => tick >= low && tick <= high);
-}
-
-function domainOf(values, margin) {
-  return values.length ? [Math.min(...values) / margin, Math.max(...values) * margin] : [1, 10];
-}
-
-/** What the front rules out lies above and to the right of this line. */
-function stairsOf(front, top, right) {
-  const path = [];
-  front.forEach(({x, y}, i) => path.push({x, y: i ? front[i - 1].y : top}, {x, y}));
-  if (front.length) path.push({x: right, y: front.at(-1).y});
-  return path;
-}
-
 function drawChart(width, height, {points, front}, values) {
   const drawn = points.filter(({x, y}) => x > 0 && y > 0);
   const stairs = front.filter(({x, y}) => x > 0 && y > 0);
-  const xDomain = domainOf(drawn.map(({x}) => x), 1.25);
-  const yDomain = domainOf(drawn.map(({y}) => y), 1.25);
+  const xDomain = logDomain(drawn.map(({x}) => x));
+  const yDomain = logDomain(drawn.map(({y}) => y));
   const narrow = width < 560;
   const rest = drawn.filter((entry) => !entry.optimal);
   const best = drawn.filter((entry) => entry.optimal);
@@ -41,12 +17,12 @@ function drawChart(width, height, {points, front}, values) {
   const cost = costNamed(values.cost);
   const root = Plot.plot({
     width, height, marginLeft: narrow ? 40 : 52, marginRight: 14, marginTop: 30, marginBottom: 46,
-    style: {background: 'transparent', color: 'var(--text)', fontFamily: 'inherit', fontSize: '12px'},
-    x: {type: 'log', domain: xDomain, label: cost.axis(values.shaded), labelArrow: 'none', labelAnchor: 'right', ticks: logTicks(xDomain), tickFormat: costTick},
+    style: {...chartStyle, color: 'var(--text)'},
+    x: {type: 'log', domain: xDomain, label: cost.axis(values.shaded), labelArrow: 'none', labelAnchor: 'right', ticks: logTicks(xDomain), tickFormat: tickLabel},
     y: {type: 'log', domain: yDomain, label: errorNamed(values.error).axis, labelArrow: 'none', ticks: logTicks(yDomain), tickFormat: percentTick},
     symbol: {type: 'identity'}, color: {type: 'identity'},
     marks: [
-      Plot.gridX({ticks: logTicks(xDomain), stroke: 'var(--rule)', strokeOpacity: 1}), Plot.gridY({ticks: logTicks(yDomain), stroke: 'var(--rule)', strokeOpacity: 1}),
+      Plot.gridX({ticks: logTicks(xDomain), ...gridStyle}), Plot.gridY({ticks: logTicks(yDomain), ...gridStyle}),
       Plot.line(stairsOf(stairs, yDomain[1], xDomain[1]), {x: 'x', y: 'y', className: 'stairs', stroke: 'var(--text)', strokeWidth: 1.2, strokeDasharray: '5 4'}),
       dots(rest, {className: 'point', r: narrow ? 2.4 : 3.2, fillOpacity: 0.5}),
       dots(best, {className: 'point', r: narrow ? 4 : 5, stroke: 'var(--text)', strokeWidth: 1.2}),

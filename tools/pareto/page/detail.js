@@ -1,24 +1,5 @@
 // One point in full, with what to type for it.
 
-function copyButton(text) {
-  const button = element('button', {type: 'button', class: 'quiet copy'}, 'Copy');
-  button.addEventListener('click', async () => {
-    let copied = true;
-    try {
-      await navigator.clipboard.writeText(text());
-    } catch {  // pages from disk may not: the text is marked, for the keyboard
-      const range = document.createRange();
-      range.selectNodeContents(button.parentElement.querySelector('code'));
-      getSelection().removeAllRanges();
-      getSelection().addRange(range);
-      copied = document.execCommand('copy');
-    }
-    button.textContent = copied ? 'Copied' : 'Marked: Ctrl+C';
-    setTimeout(() => { button.textContent = 'Copy'; }, 1600);
-  });
-  return button;
-}
-
 /** The command that measures the point again, with pictures. */
 const quoted = (text) => (/^[\w./:,@%+=-]*$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`);
 const commandOf = (point) => [`rigel report ${quoted(study.scene)}`, study.clip && `--clip ${quoted(study.clip)}`, study.lights_from && `--lights ${quoted(study.lights_from)}`,

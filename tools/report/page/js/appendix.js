@@ -41,6 +41,5 @@ function meaning() {
 }
 
 function colophon() {
-  return element('footer', {}, element('p', {}, `Made by rigel ${report.version} with`), element('code', {}, report.command),
-    element('p', {}, 'The same figures for programs: report.json, beside this page.'));
+  return element('footer', {}, element('p', {}, `Made by rigel ${report.version}. The same figures for programs: report.json, beside this page.`));
 }

@@ -1,87 +1,93 @@
-// Error against cost, both logarithmic: one labelled point a rig and the front of those that nothing beats.
+// Error against cost, both logarithmic: one named point a rig, and the front of those that nothing beats in both.
 
-const kCostHeight = 420;
+const kCostMargin = {left: 46, right: 16, top: 14, bottom: 44};
 
 function costChart(object, store) {
   const place = element('div', {class: 'plot'});
   const costChoice = choice('Cost', costs.map(({value, label, axis}) => ({value, label, title: axis})), (cost) => settings.set({cost}));
   const kind = choice('Error', errorKinds, (error) => settings.set({error}));
-  const drawing = drawToWidth(place, (width) => place.replaceChildren(drawCost(object, width, settings.get(), store)));
+  const title = element('p', {class: 'panel-title'});
+  const readout = element('p', {class: 'hint', 'aria-live': 'polite'});
+  const kHint = 'Down and to the left is better; the line joins the rigs that no other beats in both. The table of all rigs has the figures.';
+  let points = [];
+
+  const say = (point) => readout.replaceChildren(...(point ? [swatch(colorOf(point.rig.spec)), ' ', element('b', {}, point.rig.spec), `: ${describe(point)}`] : [kHint]));
+  const describe = ({x, y}) => `${percent(y)} ${settings.get().error} RMS, ${figure(x)} ${costNamed(settings.get().cost).axis}`;
+  const mark = ({rig}) => {
+    for (const point of points) point.node.setAttribute('aria-pressed', String(point.rig.spec === rig));
+  };
+  const drawing = drawToWidth(place, (width) => {
+    const hadFocus = points.findIndex(({node}) => node === document.activeElement);
+    const {root, drawn} = drawCost(object, width, settings.get());
+    points = drawn;
+    const chosen = Math.max(0, points.findIndex(({rig}) => rig.spec === store.get().rig));
+    points.forEach((point, i) => {
+      fillIn(point.node, {
+        role: 'button', tabindex: i === chosen ? '0' : '-1', 'data-spec': point.rig.spec, 'aria-label': `${point.rig.spec}: ${describe(point)}`,
+        on: {click: () => store.set({rig: point.rig.spec}), focus: () => say(point), blur: () => say(null), pointerenter: () => say(point), pointerleave: () => say(null)},
+      }, []);
+    });
+    place.replaceChildren(root);
+    mark(store.get());
+    if (hadFocus >= 0) points[hadFocus].node.focus();
+  });
+
+  place.addEventListener('keydown', (event) => {
+    const at = points.findIndex(({node}) => node === document.activeElement);
+    if (at < 0) return;
+    const next = {ArrowRight: at + 1, ArrowDown: at + 1, ArrowLeft: at - 1, ArrowUp: at - 1, Home: 0, End: points.length - 1}[event.key];
+    if (event.key === 'Enter' || event.key === ' ') store.set({rig: points[at].rig.spec});
+    else if (next === undefined) return;
+    event.preventDefault();
+    if (!points[next]) return;
+    points[at].node.setAttribute('tabindex', '-1');
+    points[next].node.setAttribute('tabindex', '0');
+    points[next].node.focus();
+  });
   settings.watch(({cost, error}) => {
     costChoice.show(cost);
     kind.show(error);
+    title.textContent = `${error} RMS, %, against ${costNamed(cost).axis}`;
     drawing.again();
-  });
-  store.watch(({rig}) => markPoint(place, rig), 'rig');
-  return element('div', {class: 'card'}, element('div', {class: 'bar'}, element('h3', {}, 'Error against cost'), costChoice.node, kind.node), place,
-    element('p', {class: 'hint'}, 'Down and to the left is better. The line joins the rigs that no other beats in both.'));
+  }, 'cost', 'error');
+  store.watch(mark, 'rig');
+  say(null);
+  return element('div', {class: 'card cost'}, element('div', {class: 'bar'}, element('h3', {}, 'Error against cost'), costChoice.node, kind.node), title, place, readout);
 }
 
-function markPoint(place, spec) {
-  for (const point of place.querySelectorAll('.point')) point.setAttribute('aria-pressed', String(point.dataset.spec === spec));
-}
-
-function drawCost(object, width, choices, store) {
+/** The picture, and its points in order of cost with the node of each. */
+function drawCost(object, width, choices) {
   const cost = costNamed(choices.cost);
-  const errorOf = (rig) => rig[choices.error].rms;
-  const box = {left: 52, right: width - 16, top: 22, bottom: kCostHeight - 42};
-  const x = makeScale('log', logDomain(object.rigs.map(cost.get), 1.5), [box.left, box.right]);
-  const y = makeScale('log', logDomain(object.rigs.map(errorOf), 1.4), [box.bottom, box.top]);
-  const root = svgElement('svg', {width, height: kCostHeight, role: 'group', 'aria-label': `${choices.error} RMS against ${cost.axis}`});
-  root.append(...leftAxis(y, box, (tick) => tickLabel(100 * tick), 5), ...bottomAxis(x, box, tickLabel, 5, true),
-    svgElement('text', {class: 'axis-title', x: 0, y: 13}, `${choices.error} RMS, %`),
-    svgElement('text', {class: 'axis-title', x: box.right, y: kCostHeight - 6, 'text-anchor': 'end'}, cost.axis));
-  const front = paretoRigs(object.rigs, cost.get, errorOf);
-  root.append(svgElement('polyline', {class: 'front', points: polyline(staircase(front.map((rig) => [x(cost.get(rig)), y(errorOf(rig))]), box))}));
-  const points = object.rigs.map((rig) => ({rig, x: x(cost.get(rig)), y: y(errorOf(rig)), optimal: front.includes(rig)}));
-  const taken = points.map((point) => ({left: point.x - 7, right: point.x + 7, top: point.y - 7, bottom: point.y + 7}));
-  for (const point of points) root.append(drawPoint(point, placeLabel(point, taken, box), cost, errorOf(point.rig), store));
-  markPoint(root, store.get().rig);
-  return root;
-}
-
-/** What the front rules out lies above and to the right of this line, from the top edge to the right edge. */
-function staircase(points, box) {
-  const path = [];
-  points.forEach(([x, y], i) => path.push([x, i ? points[i - 1][1] : box.top], [x, y]));
-  if (points.length) path.push([box.right, points[points.length - 1][1]]);
-  return path;
-}
-
-/** The side of the point where its label meets least of what is there; the room is then taken. */
-function placeLabel({rig, x, y}, taken, box) {
-  const width = 7 * rig.spec.length;
-  const sides = [
-    {x: x + 11, y: y - 6, anchor: 'start'}, {x: x + 11, y: y + 14, anchor: 'start'}, {x: x - 11, y: y - 6, anchor: 'end'},
-    {x: x - 11, y: y + 14, anchor: 'end'}, {x, y: y - 13, anchor: 'middle'}, {x, y: y + 22, anchor: 'middle'},
-    {x: x + 11, y: y - 20, anchor: 'start'}, {x: x - 11, y: y - 20, anchor: 'end'}, {x: x - 11, y: y + 28, anchor: 'end'},
-  ].map((side) => {
-    const left = side.anchor === 'start' ? side.x : side.anchor === 'end' ? side.x - width : side.x - width / 2;
-    const area = {left, right: left + width, top: side.y - 11, bottom: side.y + 3};
-    const outside = Math.max(0, box.left - area.left) + Math.max(0, area.right - box.right) + Math.max(0, box.top - area.top) + Math.max(0, area.bottom - box.bottom);
-    return {...side, area, cost: 1000 * outside + taken.reduce((sum, other) => sum + overlap(area, other), 0)};
+  const all = object.rigs.map((rig) => ({rig, x: cost.get(rig), y: rig[choices.error].rms}));
+  const front = currentPareto(object.rigs, choices);
+  const [x, y] = [logDomain(all.map((point) => point.x), 1.4), logDomain(all.map((point) => point.y), 1.4)];
+  // A logarithmic axis has no room for 0: what is 0 stands at its end.
+  const at = (point) => ({...point, x: Math.max(point.x, x[0]), y: Math.max(point.y, y[0])});
+  const points = all.map(at).map((point) => ({...point, optimal: front.includes(point.rig)})).sort((a, b) => a.x - b.x || b.y - a.y);
+  const margin = kCostMargin;
+  const height = Math.round(Math.min(400, Math.max(280, 0.75 * width)));
+  const stairs = stairsOf(points.filter(({optimal}) => optimal), y[1], x[1]);
+  const root = Plot.plot({
+    width, height, marginLeft: margin.left, marginRight: margin.right, marginTop: margin.top, marginBottom: margin.bottom, style: chartStyle,
+    x: {type: 'log', domain: x, label: cost.axis, labelArrow: 'none', labelAnchor: 'right', ticks: logTicks(x), tickFormat: tickLabel},
+    y: {type: 'log', domain: y, label: null, ticks: logTicks(y), tickFormat: percentTick},
+    color: {type: 'identity'},
+    marks: [
+      Plot.gridX({ticks: logTicks(x), ...gridStyle}), Plot.gridY({ticks: logTicks(y), ...gridStyle}),
+      Plot.line(stairs, {x: 'x', y: 'y', className: 'front', stroke: 'var(--accent)', strokeWidth: 1.5, strokeDasharray: '5 4'}),
+      Plot.dot(points, {x: 'x', y: 'y', className: 'points', r: ({optimal}) => (optimal ? 6.5 : 5), fill: ({rig}) => colorOf(rig.spec), stroke: ({optimal, rig}) => (optimal ? 'var(--accent)' : colorOf(rig.spec)), strokeWidth: 1.5, sort: null}),
+    ],
+    r: {type: 'identity'},
   });
-  const best = sides.reduce((a, b) => (b.cost < a.cost ? b : a));
-  taken.push(best.area);
-  return best;
-}
-
-function overlap(a, b) {
-  return Math.max(0, Math.min(a.right, b.right) - Math.max(a.left, b.left)) * Math.max(0, Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top));
-}
-
-function drawPoint({rig, x, y, optimal}, label, cost, error, store) {
-  const description = `${rig.spec}: ${percent(error)}, ${figure(cost.get(rig))} ${cost.axis}`;
-  const choose = () => store.set({rig: rig.spec});
-  const dot = svgElement('circle', {cx: x, cy: y, r: optimal ? 6.5 : 5});
-  dot.style.fill = colorOf(rig.spec);
-  return svgElement('g', {
-    class: optimal ? 'point optimal' : 'point', tabindex: '0', role: 'button', 'aria-label': description, 'data-spec': rig.spec,
-    on: {click: choose, keydown: (event) => {
-      if (event.key !== 'Enter' && event.key !== ' ') return;
-      event.preventDefault();
-      choose();
-    }},
-  }, svgElement('title', {}, description), svgElement('circle', {class: 'target', cx: x, cy: y, r: 14}), dot,
-  svgElement('text', {x: label.x, y: label.y, 'text-anchor': label.anchor}, rig.spec));
+  root.setAttribute('role', 'group');
+  root.setAttribute('aria-label', `${choices.error} RMS against ${cost.axis}; arrow keys go from rig to rig, Enter chooses one`);
+  const nodes = [...root.querySelectorAll('.points > *')];
+  const box = {left: margin.left, right: width, top: 4, bottom: height - margin.bottom};
+  const drawn = points.map((point, i) => ({...point, node: nodes[i], px: root.scale('x').apply(point.x), py: root.scale('y').apply(point.y)}));
+  const taken = drawn.map(({px, py}) => ({left: px - 7, right: px + 7, top: py - 7, bottom: py + 7}));
+  for (const point of drawn) {
+    const place = placeName(point.rig.spec, point, taken, box);
+    root.append(svgElement('text', {class: point.optimal ? 'point-name optimal' : 'point-name', x: place.x, y: place.y, 'aria-hidden': 'true'}, point.rig.spec));
+  }
+  return {root, drawn: drawn.map((point) => ({...point, ...all.find(({rig}) => rig === point.rig)}))};
 }

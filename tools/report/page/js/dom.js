@@ -35,6 +35,26 @@ function swatch(color) {
   return node;
 }
 
+/** Copies `text()`, which stands in the <code> beside the button. */
+function copyButton(text) {
+  const button = element('button', {type: 'button', class: 'quiet copy'}, 'Copy');
+  button.addEventListener('click', async () => {
+    let copied = true;
+    try {
+      await navigator.clipboard.writeText(text());
+    } catch {  // pages from disk may not: the text is marked, for the keyboard
+      const range = document.createRange();
+      range.selectNodeContents(button.parentElement.querySelector('code'));
+      getSelection().removeAllRanges();
+      getSelection().addRange(range);
+      copied = document.execCommand('copy');
+    }
+    button.textContent = copied ? 'Copied' : 'Marked: Ctrl+C';
+    setTimeout(() => { button.textContent = 'Copy'; }, 1600);
+  });
+  return button;
+}
+
 /**
  * Values that several views share. `watch(listener, ...names)` calls its listener at once, and again whenever one of the values
  * named has changed (any value where none is named).

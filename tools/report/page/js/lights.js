@@ -9,14 +9,13 @@ const kRoles = [
 ];
 
 const lightColumns = [
-  {key: 'name', title: 'Light', get: (light) => light.name},
+  {key: 'name', title: 'Light', get: (light) => light.name, text: true},
   {key: 'course', title: 'Over time', motion: true, draw: courseCell},
-  {key: 'type', title: 'Type', get: (light) => light.type, text: true},
-  {key: 'near', title: 'Near', unit: 'frames', get: (light) => light.near_frames, format: count},
-  {key: 'blended', title: 'Blended', unit: 'frames', get: (light) => light.blend_frames, format: count},
-  {key: 'culled', title: 'Culled', unit: 'frames', get: (light) => light.culled_frames, format: count},
-  {key: 'bound', title: 'Bound', unit: '%', get: (light) => light.bound, format: (value) => figure(100 * value), hint: 'Of the error of leaving it in the rig, anywhere on the object: the largest over the frames'},
-  {key: 'share', title: 'Share', unit: '%', get: (light) => light.share, format: (value) => figure(100 * value), bar: true, hint: 'Of the light that the object receives, mean over the frames'},
+  {key: 'near', title: 'Near', unit: 'frames', get: (light) => light.near_frames, format: count, downFirst: true},
+  {key: 'blended', title: 'Blended', unit: 'frames', get: (light) => light.blend_frames, format: count, downFirst: true},
+  {key: 'culled', title: 'Culled', unit: 'frames', get: (light) => light.culled_frames, format: count, downFirst: true},
+  {key: 'bound', title: 'Bound', unit: '%', get: (light) => light.bound, format: (value) => figure(100 * value), downFirst: true, hint: 'Of the error of leaving it in the rig, anywhere on the object: the largest over the frames'},
+  {key: 'share', title: 'Share', unit: '%', get: (light) => light.share, format: (value) => figure(100 * value), bar: true, downFirst: true, hint: 'Of the light that the object receives, mean over the frames'},
   {key: 'why', title: 'Why', draw: (light) => element('td', {class: 'why'}, light.why)},
 ];
 
@@ -24,8 +23,8 @@ const lightColumns = [
 const byWeight = (a, b) => b.near_frames - a.near_frames || b.blend_frames - a.blend_frames || b.bound - a.bound;
 
 function lightTable(object, store) {
-  const shown = lightColumns.filter((column) => !column.motion || object.truth.length > 1);
-  const order = {key: null, down: false};
+  const moving = object.truth.length > 1;
+  const shown = lightColumns.filter((column) => !column.motion || moving);
   const body = element('tbody');
   let all = false;
   let rig = null;
@@ -35,55 +34,62 @@ function lightTable(object, store) {
     all = !all;
     draw();
   }}});
-  const headers = shown.map((column) => element('th', {scope: 'col', 'aria-sort': column.get ? 'none' : null, title: column.hint,
-    class: column.key === 'name' ? 'name' : column.get && !column.text ? null : 'text'},
-    column.get ? element('button', {type: 'button', class: 'sort', on: {click: () => sortBy(column)}},
-      element('span', {}, column.title), column.unit ? element('small', {}, column.unit) : null) : column.title));
-
-  /** Names rise first, figures fall first. */
-  function sortBy(column) {
-    const textual = column.text || column.key === 'name';
-    order.down = order.key === column.key ? !order.down : !textual;
-    order.key = column.key;
-    draw();
-  }
+  const search = element('input', {type: 'search', class: 'search', placeholder: 'Name or type', 'aria-label': 'Lights whose name or type has these letters', on: {input: () => draw()}});
+  const {heads, sorted} = sortableHeads(shown, () => draw());
+  if (moving) heads[1].append(courseAxis(object));
+  const table = element('table', {class: 'light-use'}, element('thead', {}, element('tr', {}, ...heads)), body);
 
   function draw() {
-    const column = shown.find((candidate) => candidate.key === order.key);
-    const lights = [...rig.lights].sort(column ? (a, b) => (order.down ? -1 : 1) * compareValues(column.get(a), column.get(b)) : byWeight);
+    const wanted = search.value.trim().toLowerCase();
+    const lights = sorted(rig.lights, byWeight).filter(({name, type}) => !wanted || `${name} ${type}`.toLowerCase().includes(wanted));
     const top = Math.max(...rig.lights.map((light) => light.bound), 1e-9);
     const largest = Object.fromEntries(shown.filter(({bar}) => bar).map((bar) => [bar.key, Math.max(...rig.lights.map(bar.get), 1e-9)]));
-    headers.forEach((header, i) => {
-      if (shown[i].get) header.setAttribute('aria-sort', shown[i].key !== order.key ? 'none' : order.down ? 'descending' : 'ascending');
-    });
     body.replaceChildren(...lights.slice(0, all ? lights.length : kLightsShown).map((light) => lightRow(light, shown, {top, largest})));
+    if (!lights.length) body.append(element('tr', {}, element('td', {class: 'text', colspan: shown.length}, 'No light has these letters in its name or type.')));
     more.hidden = lights.length <= kLightsShown;
-    more.textContent = all ? `Show the first ${kLightsShown}` : `Show all ${count(lights.length)} lights`;
+    more.textContent = all ? `Show the first ${kLightsShown}` : `Show all ${plural(lights.length, 'light')}`;
+    point(store.get());
   }
 
+  /** The moment as a line through all strips, and the weight of each light that is ever near. */
+  function point({cursor}) {
+    table.classList.toggle('pointing', cursor !== null);
+    if (cursor === null) return;
+    table.style.setProperty('--moment', `${100 * (cursor + 0.5) / object.truth.length}%`);
+    for (const now of body.querySelectorAll('.now')) now.textContent = weightText(now.light, cursor);
+  }
+
+  if (moving) {
+    pointInTime(body, object, store, (event) => {
+      const strip = event.target.closest('.course-strip');
+      if (!strip) return undefined;
+      const box = strip.getBoundingClientRect();
+      const at = Math.floor(object.truth.length * (event.clientX - box.left) / box.width);
+      return object.truth[Math.min(object.truth.length - 1, Math.max(0, at))].time;
+    });
+    store.watch(point, 'cursor');
+  }
   store.watch(({rig: spec}) => {
     const chosen = object.rigs.find((candidate) => candidate.spec === spec) ?? object.rigs[0];
     if (chosen === rig) return;
     rig = chosen;
     rigs.show(rig.spec);
     summary.textContent = rig.asked
-      ? `${rig.spec} with ${rig.asked}: ${figure(rig.near_lights)} near lights a frame on average.`
+      ? `${rig.spec} with ${rig.asked}: ${plural(Number(rig.near_lights.toFixed(1)), 'near light')} a frame on average. The longest near come first, then the largest bounds.`
       : `${rig.spec} leaves every light in the rig. Lights near the object can be evaluated apart: --near 2, or --near auto.`;
     draw();
   }, 'rig');
-  return element('div', {class: 'card'}, element('div', {class: 'bar'}, element('h3', {}, 'Lights'), object.rigs.length > 1 ? rigs.node : null),
-    summary, object.truth.length > 1 ? courseLegend() : null,
-    element('div', {class: 'scroller', tabindex: '0', role: 'region', 'aria-label': `Lights of ${object.name}`},
-      element('table', {class: 'light-use'}, element('thead', {}, element('tr', {}, ...headers)), body)), more);
+  return element('div', {class: 'card'}, element('div', {class: 'bar'}, element('h3', {}, 'Lights'), object.rigs.length > 1 ? rigs.node : null,
+    object.rigs.some(({lights}) => lights.length > kLightsShown) ? search : null),
+    summary, moving ? courseLegend() : null,
+    element('div', {class: 'scroller', tabindex: '0', role: 'region', 'aria-label': `Lights of ${object.name}`}, table), more);
 }
-
-const compareValues = (x, y) => (typeof x === 'string' ? x.localeCompare(y, 'en', {numeric: true}) : x - y);
 
 function lightRow(light, shown, scales) {
   return element('tr', {}, ...shown.map((column) => {
     if (column.draw) return column.draw(light, scales);
     const value = column.get(light);
-    if (column.key === 'name') return element('th', {scope: 'row', class: 'name'}, value);
+    if (column.key === 'name') return element('th', {scope: 'row', class: 'name', title: value}, value, element('span', {class: 'where'}, light.type));
     const cell = element('td', {class: column.bar ? 'barred' : column.text ? 'text' : null}, column.format ? column.format(value) : value);
     if (column.bar) cell.style.setProperty('--share', `${100 * value / scales.largest[column.key]}%`);
     return cell;
@@ -95,9 +101,22 @@ function courseLegend() {
     element('span', {class: 'entry'}, element('span', {class: 'swatch bound-line'}), 'bound, logarithmic'));
 }
 
+/** The first moment, the last, and one between. */
+function courseAxis({truth}) {
+  const at = [0, Math.floor((truth.length - 1) / 2), truth.length - 1];
+  return element('span', {class: 'course-axis', 'aria-hidden': 'true'}, ...[...new Set(at)].map((index) => element('small', {}, seconds(truth[index].time))));
+}
+
 const kBoundDecades = 3;
 const kBoundHeight = 14;
-const kStripHeight = 9;
+const kStripHeight = 12;
+
+/** The light's role in a frame, or its weight where it is near in part. */
+function weightText(light, frame) {
+  let end = 0;
+  const [, role] = light.roles.find(([length]) => (end += length) > frame) ?? [0, ''];
+  return role === 'blended' ? `${figure(100 * light.weights[frame])}\u00a0% near` : role;
+}
 
 /** The light's roles as a strip over the frames, coloured by its weight, and above it the bound over three decades. */
 function courseCell(light, {top}) {
@@ -115,7 +134,8 @@ function courseCell(light, {top}) {
   }
   if (light.bounds) {
     const y = (bound) => kBoundHeight - 1 - (kBoundHeight - 2) * Math.max(0, 1 + Math.log10(Math.max(bound, 1e-30) / top) / kBoundDecades);
-    strip.append(svgElement('polyline', {class: 'bound-line', points: polyline(light.bounds.map((bound, i) => [i + 0.5, y(bound)]))}));
+    strip.append(svgElement('polyline', {class: 'bound-line', points: light.bounds.map((bound, i) => `${i + 0.5},${y(bound).toFixed(1)}`).join(' ')}));
   }
-  return element('td', {}, strip);
+  const now = Object.assign(element('span', {class: 'now', 'aria-hidden': 'true'}), {light});
+  return element('td', {class: 'course-cell'}, element('div', {class: 'course-strip'}, strip, now));
 }

@@ -7,23 +7,25 @@
 function objectSection(object, index) {
   const frames = pictureFrames(index);
   const store = makeStore({rig: object.verdict?.spec ?? null, frame: 0, cursor: null});
-  const section = element('section', {class: 'object', id: `object-${index}`}, element('h2', {}, object.name),
-    element('p', {class: 'facts'}, [sceneTitle(sceneOf(object)), plural(object.triangles, 'triangle'), plural(object.samples, 'surface sample'),
-      plural(sceneOf(object).frames, 'frame'), `mean irradiance ${figure(object.mean_irradiance)} W/m²`].join(' · ')));
-  if (object.verdict && report.objects.length > 1) section.append(verdictSentence(object));
-  if (frames.length) section.append(gallery(object, frames, store));
-  if (!object.rigs.length) return section;
-  section.append(rigTable(object, store));
-  const charts = element('div', {class: 'charts'});
-  if (object.truth.length > 1) charts.append(timeChart(object, frames, store));
-  if (object.rigs.length > 1) charts.append(costChart(object, store));
-  section.append(charts);
-  if (object.rigs.some((rig) => rig.lights.length)) section.append(lightTable(object, store));
+  const section = element('section', {class: 'object', id: `object-${index}`, 'aria-labelledby': `object-${index}-name`});
+  const facts = [sceneTitle(sceneOf(object)), plural(object.triangles, 'triangle'), plural(object.samples, 'surface sample'),
+    plural(sceneOf(object).frames, 'frame'), `mean irradiance ${figure(object.mean_irradiance)} W/m²`].join(' · ');
+  const parts = [];
+  if (frames.length) parts.push(gallery(object, frames, store));
+  if (object.rigs.length) {
+    parts.push(rigTable(object, store));
+    const charts = element('div', {class: 'charts'});
+    if (object.truth.length > 1) charts.append(timeChart(object, frames, store));
+    if (object.rigs.length > 1) charts.append(costChart(object, store));
+    parts.push(charts);
+    if (object.rigs.some((rig) => rig.lights.length)) parts.push(lightTable(object, store));
+  }
+  section.append(objectBar(object, index, parts), element('p', {class: 'facts'}, facts), ...(object.verdict ? [verdictSentence(object)] : []), ...parts);
   return section;
 }
 
 setUpTheme();
 document.title = `Rigel report: ${[...new Set(report.objects.map((object) => object.name))].join(', ')}`;
+document.getElementById('content').replaceChildren(summary(), ...comparisons(), ...report.objects.map(objectSection), ...report.scenes.filter((scene) => scene.disks).map(diskSection), ...report.scenes.map(sceneNotes), meaning(), colophon());
 fillNavigation();
-document.getElementById('content').replaceChildren(overview(), ...report.objects.map(objectSection), ...report.scenes.filter((scene) => scene.disks).map(diskSection), ...report.scenes.map(sceneNotes), meaning(), colophon());
 if (location.hash) document.getElementById(location.hash.slice(1))?.scrollIntoView();

@@ -1,25 +1,4 @@
-// The top of the page: what was measured, one sentence an object, and all objects against all rigs.
-
-function overview() {
-  const section = element('section', {class: 'overview'},
-    element('h1', {}, 'Which irradiance rig lights it best?'),
-    element('p', {class: 'facts'}, [
-      plural(report.objects.length, 'object'), plural(specs.length, 'rig'), `${report.bands} SH bands`,
-      report.rate === 30 ? null : `${figure(report.rate)} frames a second`, report.exposure === 1 ? null : `exposure ${figure(report.exposure)}`, `Rigel ${report.version}`,
-    ].filter(Boolean).join(' · ')));
-  const verdicts = element('ul', {class: 'verdicts'});
-  report.objects.forEach((object, i) => {
-    if (!object.verdict) return;
-    verdicts.append(element('li', {},
-      element('a', {href: `#object-${i}`}, object.name),
-      element('span', {class: 'where', title: sceneTitle(sceneOf(object))}, sceneTitle(sceneOf(object), true)),
-      verdictSentence(object)));
-  });
-  section.append(verdicts);
-  if (report.objects.length > 1) section.append(matrix());
-  section.append(...report.scenes.flatMap(budgetCards));
-  return section;
-}
+// What belongs to no single object: all objects against all rigs, and budgets that objects share.
 
 /** The sentence with the rig it names in its colour. */
 function verdictSentence(object) {
@@ -29,6 +8,10 @@ function verdictSentence(object) {
   if (at < 0) return element('p', {class: 'verdict'}, sentence);
   const name = element('strong', {class: 'spec'}, swatch(colorOf(spec)), spec);
   return element('p', {class: 'verdict'}, sentence.slice(0, at), name, sentence.slice(at + spec.length));
+}
+
+function comparisons() {
+  return [...(report.objects.length > 1 ? [matrix()] : []), ...report.scenes.flatMap(budgetCards)];
 }
 
 /** RMS of every rig on every object, and the geometric mean of each rig measured on all of them. */
@@ -43,9 +26,9 @@ function matrix() {
     body.replaceChildren(...report.objects.map((object, i) => matrixRow(object, i, error)));
     foot.replaceChildren(element('tr', {}, element('th', {scope: 'row', class: 'name'}, 'Geometric mean'),
       ...specs.map((spec) => element('td', {}, geometricMean(spec, error)))));
-  });
-  return element('div', {class: 'card'},
-    element('div', {class: 'bar'}, element('h2', {}, 'All objects'), kind.node),
+  }, 'error');
+  return element('section', {class: 'card', 'aria-label': 'All objects and rigs'},
+    element('div', {class: 'bar'}, element('h2', {}, 'All objects, all rigs'), kind.node),
     element('div', {class: 'scroller', tabindex: '0', role: 'region', 'aria-label': 'Errors of all objects'},
       element('table', {class: 'matrix'}, head, body, foot)),
     element('p', {class: 'hint'}, 'The least error of each object is bold; the deeper the colour, the larger an error beside it.'));
@@ -59,7 +42,7 @@ function matrixRow(object, index, error) {
     const cell = element('td', {class: value === least ? 'least' : null}, figure(100 * value));
     // No colour for the least error of the row, full colour from four times as much on.
     const excess = value > 0 ? Math.log(value / Math.max(least, 1e-12)) / Math.log(4) : 0;
-    cell.style.setProperty('--heat', `${Math.round(60 * Math.min(1, excess))}%`);
+    cell.style.setProperty('--heat', `${Math.round(52 * Math.min(1, excess))}%`);
     return cell;
   });
   return element('tr', {}, element('th', {scope: 'row', class: 'name'},
@@ -71,13 +54,4 @@ function geometricMean(spec, error) {
   const values = report.objects.flatMap((object) => object.rigs.filter((rig) => rig.spec === spec)).map((rig) => rig[error].rms);
   if (values.length < report.objects.length || values.some((value) => value <= 0)) return '–';
   return figure(100 * Math.exp(values.reduce((sum, value) => sum + Math.log(value), 0) / values.length));
-}
-
-function fillNavigation() {
-  const links = report.objects.map((object, i) => {
-    const scene = sceneOf(object);
-    const alone = report.objects.filter((other) => other.name === object.name).length === 1;
-    return element('a', {href: `#object-${i}`, title: sceneTitle(scene)}, alone ? object.name : `${object.name} (${scene.clip || scene.scene})`);
-  });
-  document.getElementById('nav').append(...links, element('a', {href: '#meaning'}, 'What the numbers mean'));
 }

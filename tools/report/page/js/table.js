@@ -26,35 +26,15 @@ function stageTimes(rig) {
 
 function rigTable(object, store) {
   const shown = columns.filter((column) => (!column.motion || object.truth.length > 1) && (!column.device || report.device));
-  const order = {key: null, down: false};
   const body = element('tbody');
   const picks = new Map();
-  const headers = shown.map((column) => element('th', {scope: 'col', 'aria-sort': 'none', class: column.key === 'spec' ? 'name' : null, title: column.hint},
-    element('button', {type: 'button', class: 'sort', on: {click: () => sortBy(column)}},
-      element('span', {}, column.title), column.unit ? element('small', {}, column.unit) : null)));
+  const {heads, sorted} = sortableHeads(shown, () => draw());
   const hint = element('p', {class: 'hint'});
-
-  function sortBy(column) {
-    order.down = order.key === column.key && !order.down;
-    order.key = column.key;
-    draw();
-  }
-
-  function sorted() {
-    const column = shown.find((candidate) => candidate.key === order.key);
-    if (!column) return object.rigs;
-    const sign = order.down ? -1 : 1;
-    return [...object.rigs].sort((a, b) => {
-      const [x, y] = [column.get(a), column.get(b)];
-      return sign * compareValues(x, y);
-    });
-  }
 
   function draw() {
     const pareto = new Set(currentPareto(object.rigs, settings.get()));
-    headers.forEach((header, i) => header.setAttribute('aria-sort', shown[i].key !== order.key ? 'none' : order.down ? 'descending' : 'ascending'));
     picks.clear();
-    body.replaceChildren(...sorted().map((rig) => {
+    body.replaceChildren(...sorted(object.rigs).map((rig) => {
       const pick = element('button', {type: 'button', class: 'pick', on: {click: () => store.set({rig: rig.spec})}}, swatch(colorOf(rig.spec)), rig.spec);
       picks.set(rig.spec, pick);
       return rigRow(rig, object, shown, pareto.has(rig), pick);
@@ -73,11 +53,11 @@ function rigTable(object, store) {
     }
   }
 
-  settings.watch(draw);
+  settings.watch(draw, 'cost', 'error');
   store.watch(mark, 'rig');
-  return element('div', {class: 'card'}, element('h3', {}, 'All rigs'),
+  return element('div', {class: 'card all-rigs'}, element('h3', {}, 'All rigs'),
     element('div', {class: 'scroller', tabindex: '0', role: 'region', 'aria-label': `Figures of all rigs of ${object.name}`},
-      element('table', {class: 'rigs'}, element('thead', {}, element('tr', {}, ...headers)), body)), hint);
+      element('table', {class: 'rigs'}, element('thead', {}, element('tr', {}, ...heads)), body)), hint);
 }
 
 function rigRow(rig, object, shown, isPareto, pick) {

@@ -1,0 +1,80 @@
+// The top of the page, which answers at a glance: which rig for each object, what it costs, what it loses, and why.
+
+const ofRig = (object, get) => (object.verdict ? get(object.rigs.find(({spec}) => spec === object.verdict.spec)) : null);
+const relative = (value) => (value === null ? '–' : figure(100 * value));
+
+const summaryColumns = [
+  {key: 'name', title: 'Object', get: ({object}) => object.name, draw: objectCell},
+  {key: 'rig', title: 'Rig to use', text: true, get: ({object}) => object.verdict?.spec ?? null, draw: adviceCell},
+  {key: 'fit', title: 'Fit', unit: 'µs a frame', group: 'What it costs', rig: (rig) => rig.fit_us, format: figure, hint: 'Median over the frames of all that has to be computed once a frame'},
+  {key: 'shade', title: 'Shading', unit: 'ns a point', group: 'What it costs', rig: (rig) => rig.shade_ns_per_point, format: figure, hint: 'Evaluating rig and near lights at one surface point'},
+  {key: 'bytes', title: 'Size', unit: 'bytes', group: 'What it costs', rig: (rig) => rig.bytes, format: count, hint: 'The float32 coefficients'},
+  {key: 'total', title: 'Total RMS', unit: '%', group: 'What it loses', rig: (rig) => rig.total.rms, format: relative, strong: true, hint: 'Error against exact irradiance'},
+  {key: 'spatial', title: 'Spatial RMS', unit: '%', group: 'What it loses', rig: (rig) => rig.spatial.rms, format: relative, hint: 'Error that the rig adds to SH projected at every point'},
+  {key: 'max', title: 'Total max', unit: '%', group: 'What it loses', rig: (rig) => rig.total.max, format: relative, hint: 'The largest error at any sample in any frame'},
+  {key: 'jump', title: 'Popping', unit: 'max jump, %', group: 'What it loses', rig: (rig) => rig.max_jump, format: relative, hint: 'The largest change of the error from one frame to the next'},
+  {key: 'why', title: 'Why', draw: ({object}) => element('td', {class: 'why', 'data-label': 'Why', title: object.verdict?.sentence}, whyAdvised(object))},
+].map((column) => (column.rig ? {...column, get: ({object}) => ofRig(object, column.rig)} : column));
+
+function objectCell({object, index}) {
+  const picture = pictureFrames(index)[0]?.pictures[0];
+  const view = picture ? element('img', {class: 'portrait', src: picture.image, alt: '', loading: 'lazy'}) : null;
+  return element('th', {scope: 'row', class: 'name'}, element('div', {class: 'who'}, view, element('div', {},
+    element('a', {href: `#object-${index}`}, object.name), element('span', {class: 'where', title: sceneTitle(sceneOf(object))}, sceneTitle(sceneOf(object), true)))));
+}
+
+function adviceCell({object}) {
+  if (!object.verdict) return element('td', {class: 'text', 'data-label': 'Rig to use'}, '–');
+  const {spec, advised} = object.verdict;
+  const rig = object.rigs.find((candidate) => candidate.spec === spec);
+  return element('td', {class: 'text advice', 'data-label': 'Rig to use'}, element('strong', {class: 'spec'}, swatch(colorOf(spec)), spec),
+    element('span', {class: 'where'}, advised ? `${plural(Number(meanCount(rig.sh_vectors)), 'SH vector')}${rig.near_lights ? `, ${meanCount(rig.near_lights)} near` : ''}` : 'none is advised'));
+}
+
+/** In a few words; report.json has the sentence in full. */
+function whyAdvised(object) {
+  const {verdict, rigs, mean_irradiance: light} = object;
+  if (!verdict) return '';
+  if (!(light > 0)) return 'No light reaches it: no rig is better than another.';
+  const others = rigs.filter(({spec}) => spec !== verdict.spec).sort((a, b) => a.total.rms - b.total.rms);
+  if (!verdict.advised) return `No rig lights it well: even the least error is above ${percent(report.usable_error)}, most likely because a light comes very close.`;
+  if (!others.length) return 'The only rig measured.';
+  const slack = percent(report.verdict_slack);
+  if (verdict.spec === verdict.best) {
+    const [next] = others;
+    return `Least error of ${rigs.length} rigs; next is ${next.spec} with ${percent(next.total.rms)}, fitted in ${figure(next.fit_us)}\u00a0µs.`;
+  }
+  const best = rigs.find(({spec}) => spec === verdict.best);
+  return `Cheapest to shade within ${slack} of the least error, which ${best.spec} has: ${percent(best.total.rms)}.`;
+}
+
+function summary() {
+  const moving = report.objects.some(({truth}) => truth.length > 1);
+  const shown = summaryColumns.filter(({key}) => key !== 'jump' || moving);
+  const rows = report.objects.map((object, index) => ({object, index}));
+  const body = element('tbody');
+  const {heads, sorted} = sortableHeads(shown, () => draw());
+  const largest = Math.max(...rows.map((row) => shown.find(({key}) => key === 'total').get(row) ?? 0));
+  const draw = () => body.replaceChildren(...sorted(rows).map((row) => element('tr', {class: row.object.verdict?.advised ? null : 'unadvised'}, ...shown.map((column) => {
+    if (column.draw) return column.draw(row);
+    const value = column.get(row);
+    const cell = element('td', {class: column.strong ? (rows.length > 1 ? 'strong barred' : 'strong') : null, 'data-label': `${column.title}, ${column.unit}`}, value === null ? '–' : column.format(value));
+    if (column.strong) cell.style.setProperty('--share', largest > 0 ? `${100 * (value ?? 0) / largest}%` : '0%');
+    return cell;
+  }))));
+  draw();
+  const span = (name) => shown.filter(({group}) => group === name).length;
+  const groups = element('tr', {class: 'groups', 'aria-hidden': 'true'}, element('td', {colspan: 2}), ...['What it costs', 'What it loses'].map((name) => element('td', {colspan: span(name)}, name)), element('td'));
+  const command = element('code', {}, report.command);
+  return element('section', {class: 'summary', 'aria-labelledby': 'summary-title'},
+    element('h1', {id: 'summary-title'}, report.objects.length === 1 ? 'Which rig to use' : 'Which rig to use for each object'),
+    element('p', {class: 'facts'}, [
+      [...new Set(report.scenes.map((scene) => sceneTitle(scene)))].slice(0, 3).join('; ') + (report.scenes.length > 3 ? ` and ${report.scenes.length - 3} more` : ''),
+      plural(report.objects.length, 'object'), plural(specs.length, 'rig'), `${report.bands} SH bands`,
+      report.rate === 30 ? null : `${figure(report.rate)} frames a second`, report.exposure === 1 ? null : `exposure ${figure(report.exposure)}`, `Rigel ${report.version}`,
+    ].filter(Boolean).join(' · ')),
+    element('div', {class: 'card'},
+      element('div', {class: 'scroller', tabindex: '0', role: 'region', 'aria-label': 'The rig to use for each object'},
+        element('table', {class: 'answers'}, element('thead', {}, groups, element('tr', {}, ...heads)), body)),
+      element('div', {class: 'command'}, element('span', {class: 'choice-label'}, 'To repeat it'), command, copyButton(() => report.command))));
+}
