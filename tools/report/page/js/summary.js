@@ -1,5 +1,7 @@
 // The top of the page, which answers at a glance: which rig for each object, what it costs, what it loses, and why.
 
+const kRoomy = 5;  // objects; more than that are listed densely
+
 const ofRig = (object, get) => (object.verdict ? get(object.rigs.find(({spec}) => spec === object.verdict.spec)) : null);
 const relative = (value) => (value === null ? '–' : figure(100 * value));
 
@@ -13,14 +15,15 @@ const summaryColumns = [
   {key: 'spatial', title: 'Spatial RMS', unit: '%', group: 'What it loses', rig: (rig) => rig.spatial.rms, format: relative, hint: 'Error that the rig adds to SH projected at every point'},
   {key: 'max', title: 'Total max', unit: '%', group: 'What it loses', rig: (rig) => rig.total.max, format: relative, hint: 'The largest error at any sample in any frame'},
   {key: 'jump', title: 'Popping', unit: 'max jump, %', group: 'What it loses', rig: (rig) => rig.max_jump, format: relative, hint: 'The largest change of the error from one frame to the next'},
-  {key: 'why', title: 'Why', draw: ({object}) => element('td', {class: 'why', 'data-label': 'Why', title: object.verdict?.sentence}, whyAdvised(object))},
+  {key: 'why', title: 'Why', draw: ({object}) => element('td', {class: 'why', 'data-label': 'Why', title: object.verdict?.sentence}, element('span', {}, whyAdvised(object)))},
 ].map((column) => (column.rig ? {...column, get: ({object}) => ofRig(object, column.rig)} : column));
 
 function objectCell({object, index}) {
   const picture = pictureFrames(index)[0]?.pictures[0];
   const view = picture ? element('img', {class: 'portrait', src: picture.image, alt: '', loading: 'lazy'}) : null;
   return element('th', {scope: 'row', class: 'name'}, element('div', {class: 'who'}, view, element('div', {},
-    element('a', {href: `#object-${index}`}, object.name), element('span', {class: 'where', title: sceneTitle(sceneOf(object))}, sceneTitle(sceneOf(object), true)))));
+    element('a', {href: `#object-${index}`}, object.name),
+    report.scenes.length > 1 ? element('span', {class: 'where', title: sceneTitle(sceneOf(object))}, sceneTitle(sceneOf(object), true)) : null)));
 }
 
 function adviceCell({object}) {
@@ -37,9 +40,9 @@ function whyAdvised(object) {
   if (!verdict) return '';
   if (!(light > 0)) return 'No light reaches it: no rig is better than another.';
   const others = rigs.filter(({spec}) => spec !== verdict.spec).sort((a, b) => a.total.rms - b.total.rms);
-  if (!verdict.advised) return `No rig lights it well: even the least error is above ${percent(report.usable_error)}, most likely because a light comes very close.`;
+  if (!verdict.advised) return `No rig lights it well: even the least error is above ${Math.round(100 * report.usable_error)}\u00a0%, most likely because a light comes very close.`;
   if (!others.length) return 'The only rig measured.';
-  const slack = percent(report.verdict_slack);
+  const slack = `${Math.round(100 * report.verdict_slack)}\u00a0%`;
   if (verdict.spec === verdict.best) {
     const [next] = others;
     return `Least error of ${rigs.length} rigs; next is ${next.spec} with ${percent(next.total.rms)}, fitted in ${figure(next.fit_us)}\u00a0µs.`;
@@ -75,6 +78,6 @@ function summary() {
     ].filter(Boolean).join(' · ')),
     element('div', {class: 'card'},
       element('div', {class: 'scroller', tabindex: '0', role: 'region', 'aria-label': 'The rig to use for each object'},
-        element('table', {class: 'answers'}, element('thead', {}, groups, element('tr', {}, ...heads)), body)),
+        element('table', {class: rows.length > kRoomy ? 'answers dense' : 'answers'}, element('thead', {}, groups, element('tr', {}, ...heads)), body)),
       element('div', {class: 'command'}, element('span', {class: 'choice-label'}, 'To repeat it'), command, copyButton(() => report.command))));
 }
