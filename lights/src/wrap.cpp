@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "wrap_bands.h"
+
 namespace rigel {
 
 float clampWrap(float a) noexcept { return a != a ? 0.0f : std::clamp(a, kMinWrap, kMaxWrap); }
@@ -14,12 +16,8 @@ double wrapKernel(double x, double a) noexcept {
 
 template <int B>
 std::array<float, B> wrapCoefficients(float wrap) noexcept {
-  const double a = clampWrap(wrap);
   double f[B];
-  f[0] = 2 * (1 + a) / (2 + a);
-  f[1] = 2 * f[0] / (3 + a);
-  for (int l = 1; l + 1 < B; ++l) f[l + 1] = ((2 + a - l) * f[l - 1] - (2 * l + 1) * a * f[l]) / (l + 3 + a);
-
+  detail::wrapBands<B>(wrap, f);
   std::array<float, B> out;
   for (int l = 0; l < B; ++l) out[l] = static_cast<float>(f[l]);
   return out;
