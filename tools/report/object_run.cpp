@@ -77,7 +77,7 @@ void ObjectRun::setReference() {
 void ObjectRun::measure(const RunFrame& frame, const LightSet& lights) {
   if (frames_.empty()) setReference();
   truth_.update(*object_, posed_, surface_, lights, bands_);
-  farBegun_ = false;
+  farBegun_ = exactBegun_ = false;
   followsOn_ = frame.followsOn && !frames_.empty();
   FrameTruth& truth = frames_.emplace_back(FrameTruth{truth_.mean, {}});
   numbers_.push_back(frame.number);
@@ -123,10 +123,26 @@ void ObjectRun::compareShared(std::size_t i, const LightSet& lights, float grant
 
 void ObjectRun::compare(MeasuredRig& rig, const LightSet& lights, std::optional<float> granted) {
   rig.runner->shade(truth_.points, surface_.wrap, shaded_);
-  rig.tally.addFrame(*rig.runner, shaded_, truth_, shOfFarShares(*rig.runner, lights), surface_.wrap, followsOn_);
+  const std::span<const Rgb> farSh = shOfFarShares(*rig.runner, lights);
+  rig.tally.addFrame(*rig.runner, shaded_, truth_, farSh, surface_.wrap, followsOn_);
+  splitError(rig, lights, farSh);
   if (granted) rig.tally.grant(*granted);
   half_.resize(shaded_.size());
   if (rig.runner->shadeHalf(truth_.points, surface_.wrap, half_)) rig.tally.addHalf(shaded_, half_);
+}
+
+void ObjectRun::splitError(MeasuredRig& rig, const LightSet& lights, std::span<const Rgb> farSh) {
+  if (!exactBegun_) exactShares_.begin(truth_, surface_, lights, bands_);
+  exactBegun_ = true;
+  const RigRunner& runner = *rig.runner;
+  exactShares_.near(runner.verdicts(), nearExact_);
+  exactShares_.farBands(runner.verdicts(), farBands_);
+  doubleRig_.resize(shaded_.size());
+  runner.shadeInDouble(lights, truth_.points, surface_.wrap, doubleRig_);
+  highBand_.resize(runner.hasHighBand() ? shaded_.size() : 0);
+  for (std::size_t i = 0; i < highBand_.size(); ++i)
+    highBand_[i] = runner.highBand(truth_.points[i].normal, surface_.wrap[i]);
+  rig.tally.addSteps({truth_.exact, nearExact_, farBands_, farSh, doubleRig_, highBand_, shaded_});
 }
 
 void ObjectRun::time(MeasuredRig& rig) {
@@ -184,7 +200,8 @@ ObjectReport ObjectRun::report(std::span<const LightRow> lights) const {
 }
 
 RigReport ObjectRun::report(const MeasuredRig& rig, std::span<const LightRow> lights) const {
-  RigReport out = rig.tally.report(*rig.runner, {times_, numbers_, lights, meanIrradiance()});
+  RigReport out =
+      rig.tally.report(*rig.runner, {times_, numbers_, lights, meanIrradiance(), bodyParts_ ? &*bodyParts_ : nullptr});
   out.asked = rig.asked;
   return out;
 }

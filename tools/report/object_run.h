@@ -1,6 +1,7 @@
 // Measures all rigs of one object over the frames of a run.
 #pragma once
 
+#include "report/exact_shares.h"
 #include "report/far_truth.h"
 #include "report/rig_tally.h"
 #include "report/run_options.h"
@@ -33,6 +34,9 @@ class ObjectRun {
 
   /// The points at which errors are measured.
   const SurfaceSet& surface() const { return surface_; }
+
+  /// For errors by body part: where the measured points belong.
+  void setBodyParts(BodyParts parts) { bodyParts_ = std::move(parts); }
 
   /// Before the first frame is measured: what a few frames of the run give the object, for the scale of the errors that
   /// rigs expect and aim at.
@@ -89,6 +93,7 @@ class ObjectRun {
   void time(MeasuredRig& rig);
   void compare(MeasuredRig& rig, const LightSet& lights, std::optional<float> granted);
   std::span<const Rgb> shOfFarShares(const RigRunner& rig, const LightSet& lights);
+  void splitError(MeasuredRig& rig, const LightSet& lights, std::span<const Rgb> farSh);
   RigReport report(const MeasuredRig& rig, std::span<const LightRow> lights) const;
 
   const SceneObject* object_;
@@ -111,6 +116,12 @@ class ObjectRun {
   FarTruth far_;           // of frames in which a rig has a light near
   bool farBegun_ = false;  // in this frame
   std::vector<Rgb> farSh_;
+
+  std::optional<BodyParts> bodyParts_;
+  ExactShares exactShares_;
+  bool exactBegun_ = false;  // in this frame
+  std::vector<RgbD> nearExact_, farBands_, doubleRig_;
+  std::vector<Rgb> highBand_;
 };
 
 }  // namespace rigel::tools

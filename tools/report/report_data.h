@@ -2,6 +2,8 @@
 // report_html and report_text. Field names follow report.json.
 #pragma once
 
+#include "report/error_breakdown.h"
+
 #include <rigel/object_lighting.h>
 
 #include <algorithm>
@@ -90,6 +92,10 @@ struct RigReport {
   std::vector<RigFrame> frames;
   std::vector<LightReport> lights;  // in the order of the scene's
   std::optional<BudgetUse> budget;  // of a rig that shares the frame's time
+
+  std::optional<ErrorParts> parts;  // empty, as what follows, where no light reaches the object
+  std::vector<BodyPartErrors> bodyParts;
+  std::optional<ErrorHistogram> histogram;
 };
 
 /// A frame's time and the objects of a scene that share it, all lit by one kind of rig.

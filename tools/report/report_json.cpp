@@ -1,5 +1,6 @@
 #include "report/report_json.h"
 
+#include "report/breakdown_json.h"
 #include "report/budget_words.h"
 #include "report/light_log.h"
 #include "report/verdict.h"
@@ -183,6 +184,7 @@ class Writer {
                               {"max", number(report.halfFloat->max, "half_float.max")},
                               {"bytes", report.bytes / 2}};
     if (report.budget) result["budget"] = budgetUse(report);
+    addBreakdown(report, result, [this](double value, std::string_view field) { return number(value, field); });
     Json stages = Json::object();
     for (const StageTime& stage : report.stages) stages[stage.name] = number(stage.microseconds, stage.name);
     result["stages"] = std::move(stages);

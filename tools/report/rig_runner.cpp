@@ -1,5 +1,6 @@
 #include "report/rig_runner.h"
 
+#include "report/double_rig.h"
 #include "report/half_coefficients.h"
 
 #include <rigel/glm.h>
@@ -126,6 +127,15 @@ class RunnerOf final : public RigRunner {
     const HalfCoefficients<B> rounded(lighting_.rig(), frame_, lighting_.coefficients(), lighting_.highBand());
     for (std::size_t i = 0; i < points.size(); ++i)
       out[i] = rounded.shade(points[i].position, points[i].normal, wrap[i]);
+  }
+
+  void shadeInDouble(const LightSet& lights, std::span<const PointAndNormal> points, std::span<const float> wrap,
+                     std::span<RgbD> out) const override {
+    const Rig& own = lighting_.rig();
+    const auto rig = own.spec().adaptive ? DoubleRig<B>::widened(own, frame_, lighting_.coefficients())
+                                         : DoubleRig<B>::fitted(own, frame_, lights, lighting_.verdicts());
+    forSamples(points.size(),
+               [&](std::size_t i) { out[i] = rig.shade(points[i].position, points[i].normal, wrap[i]); });
   }
 
   bool hasHighBand() const override { return lighting_.highBand().band >= B; }

@@ -73,6 +73,11 @@ class RigRunner {
   virtual void shadeRounded(std::span<const PointAndNormal> points, std::span<const float> wrap,
                             std::span<Rgb> out) const = 0;
 
+  /// As the CPU's `shade` without near lights and high band, with the rig's arithmetic in double (double_rig.h): of the
+  /// lights it was last lit by.
+  virtual void shadeInDouble(const LightSet& lights, std::span<const PointAndNormal> points,
+                             std::span<const float> wrap, std::span<RgbD> out) const = 0;
+
   /// The part of Shaded::rig that lies beyond the rig's bands: no part of its spatial error.
   virtual bool hasHighBand() const = 0;
   virtual Rgb highBand(Vec3 normal, float wrap) const = 0;

@@ -57,6 +57,7 @@ void RigTally::addFrame(const RigRunner& rig, std::span<const RigRunner::Shaded>
   frame.errors = frameErrors(rig, shaded, truth, sh, wrap, error_);
   spatialMax_ = std::max(spatialMax_, frame.errors.spatialMax);
   totalMax_ = std::max(totalMax_, frame.errors.totalMax);
+  spread_.add(error_);
   if (!followsOn) return;
   double jump = 0;
   for (std::size_t i = 0; i < samples_; ++i)
@@ -141,6 +142,10 @@ RigReport RigTally::report(const RigRunner& rig, const TallyContext& context) co
   addTimes(out);
   addFrames(out, context);
   out.lights = lights_.uses({context.lights, context.frames, context.meanIrradiance, asked_, budget_});
+  if (context.meanIrradiance <= 0) return out;
+  out.parts = parts_.report(context.meanIrradiance);
+  out.histogram = spread_.histogram(context.meanIrradiance);
+  if (context.bodyParts != nullptr) out.bodyParts = spread_.bodyParts(*context.bodyParts, context.meanIrradiance);
   return out;
 }
 

@@ -1,8 +1,10 @@
 // What one rig did over the frames of a run: errors, times, choices.
 #pragma once
 
+#include "report/error_spread.h"
 #include "report/frame_errors.h"
 #include "report/light_log.h"
+#include "report/parts_tally.h"
 #include "report/report_data.h"
 
 namespace rigel::tools {
@@ -13,6 +15,7 @@ struct TallyContext {
   std::span<const int> frames;    // their numbers
   std::span<const LightRow> lights;
   double meanIrradiance = 0;  // 0: errors are shown as 0
+  const BodyParts* bodyParts = nullptr;
 };
 
 class RigTally {
@@ -24,6 +27,9 @@ class RigTally {
   /// A frame that `rig` was just fitted to. `sh`: what a perfect rig of the same bands and far shares gives.
   void addFrame(const RigRunner& rig, std::span<const RigRunner::Shaded> shaded, const Truth& truth,
                 std::span<const Rgb> sh, std::span<const float> wrap, bool followsOn);
+
+  /// The last frame on the way from the truth to the rig.
+  void addSteps(const ErrorSteps& steps) { parts_.add(steps); }
 
   /// The last frame with coefficients in half floats, beside the same in 32 bits.
   void addHalf(std::span<const RigRunner::Shaded> shaded, std::span<const RigRunner::Shaded> half);
@@ -55,6 +61,8 @@ class RigTally {
   std::optional<float> budget_;  // us a frame that the rig shares with other objects
   std::vector<Frame> frames_;
   LightLog lights_;
+  PartsTally parts_;
+  ErrorSpread spread_;
   std::vector<FitTimes> fitTimes_;
   std::vector<double> shadeTimes_;  // us, all samples
   double spatialMax_ = 0, totalMax_ = 0, halfMax_ = 0, condition_ = 1;

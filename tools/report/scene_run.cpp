@@ -96,6 +96,7 @@ class SceneRun {
       poseObject(scene_.scene(), object, rest, posed);
       auto run = ObjectRun::create(object, posed, options_, setting);
       if (!run) return Error{run.error().line(), scene_.source()};
+      run->setBodyParts(findBodyParts(scene_.scene(), object, run->surface().measured));
       runs.push_back(*std::move(run));
     }
     return runs;
