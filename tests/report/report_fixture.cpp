@@ -118,6 +118,50 @@ std::vector<tools::LightReport> lightUses(const std::vector<tools::LightRow>& ro
   return uses;
 }
 
+/// Spatial error, and truncation that half makes up for it.
+void breakDown(RigReport& rig, std::size_t samples, int frames) {
+  const double total = rig.total.rms * rig.total.rms,
+               spatial = std::min(0.9 * total, rig.spatial.rms * rig.spatial.rms);
+  tools::ErrorParts& parts = rig.parts.emplace();
+  parts.total = total;
+  parts.unclamped = 1.04 * total;
+  const double squares[tools::kErrorCauses] = {1e-9 * total, 1.2 * (total - spatial), 2e-12 * total, spatial,
+                                               1e-12 * total};
+  parts.interaction = total;
+  for (const double square : squares) parts.interaction -= square;
+  for (std::size_t k = 0; k < tools::kErrorCauses; ++k)
+    parts.parts[k] = {squares[k], total - squares[k] - (squares[k] > 1e-6 * total ? parts.interaction : 0)};
+
+  constexpr struct {
+    const char* name;
+    int parent;
+    double area, error;
+  } kParts[] = {{"body", -1, 0.55, 0.8},       {"door, left", 0, 0.15, 1.1},        {"mirror", 1, 0.01, 2.2},
+                {"door, right", 0, 0.15, 1.2}, {"wheel front left", -1, 0.07, 0.9}, {"wheel front right", -1, 0.07, 1}};
+  for (const auto& part : kParts) {
+    rig.bodyParts.push_back({part.name, part.parent, part.parent < 0 ? 3 : 1,
+                             static_cast<std::size_t>(part.area * static_cast<double>(samples)), part.area,
+                             part.area * part.error * part.error, part.error * rig.total.rms,
+                             part.error * rig.total.max / 2.2, (part.error - 1) * rig.total.rms});
+  }
+
+  tools::ErrorHistogram& histogram = rig.histogram.emplace();
+  const double count = 3.0 * static_cast<double>(samples * static_cast<std::size_t>(frames));
+  const auto bell = [](double x) { return std::exp(-x * x / 2); };
+  for (std::size_t i = 0; i < histogram.absolute.size(); ++i) {
+    const double size = histogram.kLeast * std::pow(10, (static_cast<double>(i) + 0.5) / histogram.kPerDecade);
+    histogram.absolute[i] = static_cast<std::uint64_t>(count / 12 * bell(1.2 * std::log(size / rig.total.rms * 1.5)));
+  }
+  histogram.p50 = 0.6 * rig.total.rms;
+  histogram.p90 = 1.7 * rig.total.rms;
+  histogram.p99 = histogram.limit = 3.2 * rig.total.rms;
+  for (std::size_t i = 0; i < histogram.signedBins.size(); ++i) {
+    const double error = 3.2 * (2.0 * static_cast<double>(i) / (histogram.kSignedBins - 1) - 1);
+    histogram.signedBins[i] = static_cast<std::uint64_t>(count / 20 * bell(1.1 * error + 0.2));
+  }
+  histogram.below = histogram.above = static_cast<std::uint64_t>(count / 200);
+}
+
 ObjectReport object(const std::string& name, int frames, double scale, const std::vector<tools::LightRow>& lights) {
   ObjectReport result;
   result.name = name;
@@ -148,6 +192,7 @@ ObjectReport object(const std::string& name, int frames, double scale, const std
     if (choosing) rig.asked = "--near auto --error 0.05";
     rig.lights = lightUses(lights, frames, choosing);
     if (frames > 1) rig.maxJump = 0.4 * made.spatial;
+    breakDown(rig, static_cast<std::size_t>(result.samples), frames);
     rig.condition = made.spec[0] == 'p' ? 14.2 : 1;
     rig.stages = {{"project", 0.8 * made.fit}, {"fit", 0.2 * made.fit}};
     for (int i = 0; i < frames; ++i) {
@@ -261,6 +306,10 @@ Report smallestReport() {
   scene.effects.clear();
   scene.objects.front().pictures.clear();
   scene.objects.front().rigs.resize(1);
+  RigReport& rig = scene.objects.front().rigs.front();
+  rig.parts.reset();
+  rig.bodyParts.clear();
+  rig.histogram.reset();
   return report;
 }
 
@@ -276,6 +325,10 @@ Report hostileReport() {
   scene.disks->uses.front().object = kHostileMarkup;
   scene.objects.front().name = kHostileMarkup;
   scene.objects.front().rigs.front().spec = kHostileSpec;
+  for (RigReport& rig : scene.objects.front().rigs) {
+    rig.bodyParts[1].name = kHostileMarkup;
+    rig.bodyParts[2].name = "\xFF\xC3 no UTF-8 \xED\xA0\x80";
+  }
   for (Picture& shown : scene.objects.front().pictures)
     if (shown.label == "constant") shown.label = kHostileSpec;
   report.commandLine = kHostileMarkup;

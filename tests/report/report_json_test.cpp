@@ -126,6 +126,34 @@ TEST(ReportJson, WhatWasNotMeasuredIsNull) {
   EXPECT_TRUE(still["rigs"][0]["max_jump"].is_null());
 }
 
+TEST(ReportJson, SaysWhereErrorsComeFrom) {
+  const tools::Report report = madeUpReport();
+  const Json json = parsedReport(report);
+  const tools::RigReport& rig = report.scenes[0].objects[0].rigs[2];
+  const Json& written = json["objects"][0]["rigs"][2];
+  const Json& parts = written["parts"];
+  ASSERT_EQ(parts["causes"].size(), tools::kErrorCauses);
+  double sum = parts["interaction"];
+  for (std::size_t k = 0; k < tools::kErrorCauses; ++k) {
+    EXPECT_EQ(parts["causes"][k]["cause"], tools::kErrorCauseNames[k]);
+    EXPECT_EQ(parts["causes"][k]["square"], rig.parts->parts[k].square);
+    EXPECT_EQ(parts["causes"][k]["without"], rig.parts->parts[k].without);
+    sum += parts["causes"][k]["square"].get<double>();
+  }
+  EXPECT_NEAR(sum, parts["total"], 1e-12);
+  EXPECT_EQ(parts["unclamped"], rig.parts->unclamped);
+  EXPECT_EQ(written["body_parts"][0]["parent"], nullptr);
+  EXPECT_EQ(written["body_parts"][2]["parent"], 1);
+  EXPECT_EQ(written["body_parts"][2]["name"], "mirror");
+  EXPECT_THAT(keys(written["body_parts"][2]),
+              testing::ElementsAre("name", "parent", "nodes", "samples", "area", "share", "rms", "max", "mean"));
+  EXPECT_EQ(written["histogram"]["absolute"]["counts"].size(), tools::ErrorHistogram::kAbsoluteBins);
+  EXPECT_EQ(written["histogram"]["signed"]["counts"][7], rig.histogram->signedBins[7]);
+  EXPECT_EQ(written["histogram"]["p90"], rig.histogram->p90);
+  const Json without = parsedReport(smallestReport())["objects"][0]["rigs"][0];
+  for (const char* field : {"parts", "body_parts", "histogram"}) EXPECT_FALSE(without.contains(field)) << field;
+}
+
 TEST(ReportJson, SaysWhatSharingAFrameCost) {
   const Json json = parsedReport(crowdReport());
   const Json& budgets = json["scenes"][0]["budgets"];
@@ -161,6 +189,11 @@ TEST(ReportJson, RefusesEveryNumberThatIsNotFinite) {
       {"object car, rig gradient: condition", [](auto& object, double v) { object.rigs[1].condition = v; }},
       {"object car, rig gradient: total_rms", [](auto& object, double v) { object.rigs[1].frames[7].totalRms = v; }},
       {"object car, rig gradient: project", [](auto& object, double v) { object.rigs[1].stages[0].microseconds = v; }},
+      {"object car, rig gradient: parts without",
+       [](auto& object, double v) { object.rigs[1].parts->parts[2].without = v; }},
+      {"object car, rig gradient: body part mean",
+       [](auto& object, double v) { object.rigs[1].bodyParts[1].mean = v; }},
+      {"object car, rig gradient: histogram p90", [](auto& object, double v) { object.rigs[1].histogram->p90 = v; }},
       {"object car: picture rms", [](auto& object, double v) { object.pictures[1].rms = v; }},
   };
   for (const auto& [place, edit] : edits) {
