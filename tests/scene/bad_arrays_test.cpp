@@ -53,7 +53,66 @@ TEST(BadInput, AccessorsThatDoNotFit) {
          g.embed();
          g.json["buffers"][0]["byteLength"] = 1000;
        },
-       "/buffers/0: \"uri\" is not base64 data of exactly byteLength bytes"},
+       "/buffers/0: has 42 bytes, byteLength says 1000"},
+      {[](GltfMaker& g) {
+         g.json["buffers"] = json::array({{{"byteLength", 42}, {"uri", "data:application/gltf-buffer;base64,AA*A"}}});
+       },
+       "/buffers/0/uri: \"data:application/gltf-buffer;base64\" is not valid base64 data"},
+      {[](GltfMaker& g) {
+         g.json["buffers"] = json::array({{{"byteLength", 42}, {"uri", "data:;base64"}}});
+       },
+       "/buffers/0/uri: \"data:;base64\": a data URI needs a comma before its data"},
+      {[](GltfMaker& g) {
+         g.json["buffers"] = json::array({{{"byteLength", 42}, {"uri", ":"}}});
+       },
+       "/buffers/0/uri: \":\" is no URI"},
+      {[](GltfMaker& g) {
+         g.json["buffers"] = json::array({{{"byteLength", 42}, {"uri", ""}}});
+       },
+       "/buffers/0/uri: is empty"},
+      {[](GltfMaker& g) {
+         g.json["buffers"] = json::array({{{"byteLength", 42}, {"uri", "."}}});
+       },
+       "/buffers/0/uri: is a directory"},
+      {[](GltfMaker& g) {
+         g.json["buffers"] = json::array({{{"byteLength", 42}, {"uri", "/dev/zero"}}});
+       },
+       "/buffers/0/uri: is no regular file"},
+      {[](GltfMaker& g) {
+         g.embed();
+         g.json["buffers"][0]["byteLength"] = 9007199254740992;
+       },
+       "/buffers/0: the buffers have more than 1073741824 bytes"},
+      {[](GltfMaker& g) { g.json["bufferViews"][1]["byteStride"] = 8; },
+       "/bufferViews/1/byteStride: is 8, the view has 6 bytes"},
+      {[](GltfMaker& g) {  // which nobody reads
+         g.json["accessors"].push_back(
+             {{"bufferView", 1}, {"componentType", 5121}, {"type", "MAT2"}, {"count", 1}, {"byteOffset", 0}});
+       },
+       "/accessors/2: needs bytes 0 to 8 of bufferView 1, which has 6"},
+      {[](GltfMaker& g) {
+         g.json["accessors"][0].erase("bufferView");
+         g.json["accessors"][0]["byteOffset"] = 4;
+       },
+       "/accessors/0/byteOffset: is 4, but there is no bufferView"},
+      {[](GltfMaker& g) {
+         g.json["buffers"] = json::array({{{"byteLength", 42}}});
+         g.json["bufferViews"][0]["extensions"]["EXT_meshopt_compression"] = {{"buffer", 1}};
+       },
+       "/bufferViews/0: is compressed by EXT_meshopt_compression, which Rigel does not read"},
+      {[](GltfMaker& g) {
+         g.json["accessors"][0].erase("bufferView");
+         test::primitive(g)["extensions"]["KHR_draco_mesh_compression"] = {{"bufferView", 0}};
+       },
+       "/meshes/0/primitives/0: is compressed by KHR_draco_mesh_compression, which Rigel does not read"},
+      {[](GltfMaker& g) {
+         const int indices = g.add(std::vector<std::uint32_t>{1}, 5125, "SCALAR", 1);
+         g.json["bufferViews"][indices]["byteStride"] = 4;
+         g.json["accessors"][0]["sparse"] = {{"count", 1},
+                                             {"indices", {{"bufferView", indices}, {"componentType", 5125}}},
+                                             {"values", {{"bufferView", 0}}}};
+       },
+       "/accessors/0/sparse/indices: bufferView 2 has a byteStride, which sparse data cannot have"},
       {[](GltfMaker& g) {
          g.json["buffers"] = json::array({{{"byteLength", 42}}});
        },
@@ -105,6 +164,25 @@ TEST(BadInput, ABufferFileShorterThanItSays) {
   const auto scene = loadGltf(g.write(folder));
   ASSERT_FALSE(scene);
   EXPECT_NE(scene.error().line().find("/buffers/0: has 20 bytes, byteLength says 42"), std::string::npos);
+}
+
+TEST(BadInput, MorphTargetsOfNothingStayBounded) {
+  GltfMaker g = GltfMaker::triangle();
+  test::primitive(g)["attributes"]["POSITION"] = g.addFloats(std::vector<float>(3 * 5000, 0.25f), "VEC3");
+  for (int i = 0; i < 6000; ++i) test::primitive(g)["targets"].push_back(json::object());
+  const test::TemporaryFolder folder;
+  const auto scene = loadGltf(g.write(folder));
+  ASSERT_FALSE(scene);
+  EXPECT_NE(scene.error().line().find("count 15000 is absurd"), std::string::npos) << scene.error().line();
+}
+
+TEST(BadInput, WeightsOfPrimitivesThatAreNotDrawn) {
+  GltfMaker g = GltfMaker::skinned();
+  json ignored = test::primitive(g);
+  ignored["mode"] = 0;
+  ignored["attributes"]["WEIGHTS_0"] = g.addFloats({-1, 2, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}, "VEC4");
+  g.json["meshes"].push_back({{"primitives", json::array({ignored})}});
+  test::expectLoadError(g, "/meshes/1/primitives/0/attributes/WEIGHTS_0: vertex 0 has the negative weight -1");
 }
 
 TEST(BadInput, VerticesAndIndices) {

@@ -6,7 +6,9 @@
 
 #include <gmock/gmock.h>
 
+#include <fmt/format.h>
 #include <cmath>
+
 #include <cstring>
 
 namespace rigel::tools {
@@ -177,6 +179,7 @@ TEST(Load, SkeletonRootIsTheClosestCommonAncestor) {
 
 TEST(Load, Lights) {
   GltfMaker g = GltfMaker::triangle();
+  g.json["extensionsUsed"] = {"KHR_lights_punctual"};
   json& lights = g.json["extensions"]["KHR_lights_punctual"]["lights"];
   lights.push_back({{"type", "directional"}, {"intensity", 3}, {"color", {1, 0.5, 0}}, {"name", "sun"}});
   lights.push_back({{"type", "point"}});
@@ -209,6 +212,7 @@ TEST(Load, Lights) {
 
 TEST(Load, DisksOutOfPunctualLights) {
   GltfMaker g = GltfMaker::triangle();
+  g.json["extensionsUsed"] = {"KHR_lights_punctual"};
   json& lights = g.json["extensions"]["KHR_lights_punctual"]["lights"];
   const json disk = {{"rigel", {{"type", "disk"}, {"radius", 0.5}}}};
   lights.push_back({{"type", "point"}, {"intensity", 10}, {"color", {1, 0.5, 0}}, {"extras", disk}});
@@ -331,6 +335,98 @@ TEST(Load, BufferFilesBesideTheDocumentWithEscapedNames) {
   const auto scene = loadGltf(g.write(folder));
   ASSERT_TRUE(scene) << scene.error().line();
   EXPECT_EQ(scene->meshes[0].primitives[0].positions[1], glm::vec3(1, 0, 0));
+}
+
+TEST(Load, DataUrisOfAnyNameAndType) {
+  GltfMaker g = GltfMaker::triangle();
+  const std::string base64 = test::encodeBase64(g.bytes());
+  std::string padless = base64, escapedPadding = base64, percent;
+  while (padless.ends_with('=')) padless.pop_back();
+  for (std::size_t at; (at = escapedPadding.find('=')) != std::string::npos;) escapedPadding.replace(at, 1, "%3D");
+  for (const char c : g.bytes()) percent += fmt::format("%{:02x}", static_cast<unsigned char>(c));
+  for (const std::string& uri :
+       {"data:application/gltf-buffer;base64," + base64, "data:;base64," + base64,
+        "data:model/vnd.odd+x;base64," + base64,
+        "DATA:application/octet-stream;name=my%20buffer.bin;charset=utf-8;BASE64," + base64,
+        "data:application/octet-stream;base64," + padless, "data:image/png;base64," + escapedPadding,
+        "data:application/octet-stream," + percent}) {
+    SCOPED_TRACE(uri);
+    g.json["buffers"] = json::array({{{"byteLength", g.bytes().size()}, {"uri", uri}}});
+    EXPECT_EQ(load(g).meshes[0].primitives[0].positions[1], glm::vec3(1, 0, 0));
+  }
+}
+
+TEST(Load, NamesOfBufferFilesThatWereNotEscaped) {
+  const test::TemporaryFolder folder;
+  GltfMaker g = GltfMaker::triangle();
+  for (const char* name : {"100% of it.bin", "a:b.bin", "%20.bin", "caf\xc3\xa9 #1?.bin"}) {
+    SCOPED_TRACE(name);
+    test::writeFile(folder / name, g.bytes());
+    g.json["buffers"] = json::array({{{"byteLength", g.bytes().size()}, {"uri", name}}});
+    const auto scene = loadGltf(g.write(folder));
+    ASSERT_TRUE(scene) << scene.error().line();
+  }
+}
+
+TEST(Load, BuffersNobodyReadsMayBeOutOfReach) {
+  GltfMaker g = GltfMaker::triangle();
+  g.embed();
+  g.json["buffers"].push_back({{"byteLength", 9}, {"uri", "not there.bin"}});
+  g.json["buffers"].push_back({{"byteLength", 9}, {"uri", "https://example.org/a.bin"}});
+  g.json["buffers"].push_back({{"byteLength", 9}});
+  EXPECT_EQ(load(g).meshes.size(), 1u);
+}
+
+TEST(Load, FromMemoryNoFileIsOpened) {
+  const test::TemporaryFolder folder;
+  GltfMaker g = GltfMaker::triangle();
+  test::writeFile(folder / "there.bin", g.bytes());
+  g.json["buffers"] = json::array({{{"byteLength", g.bytes().size()}, {"uri", (folder / "there.bin").string()}}});
+  ASSERT_TRUE(loadGltf(g.write(folder)));
+  const auto scene = loadGltfFromMemory(g.json.dump(), "memory");
+  ASSERT_FALSE(scene);
+  EXPECT_THAT(scene.error().line(), testing::EndsWith("is not a file beside this one"));
+  g.embed();
+  EXPECT_TRUE(loadGltfFromMemory(g.json.dump(), "memory"));
+}
+
+TEST(Load, EmptyListsAndUndeclaredLightsAreNoted) {
+  GltfMaker g = GltfMaker::triangle();
+  g.json["animations"] = json::array();
+  g.json["nodes"][0]["children"] = json::array();
+  g.json["extensions"]["KHR_lights_punctual"]["lights"] = json::array({{{"type", "point"}}});
+  EXPECT_THAT(load(g).notes, ElementsAre("/extensions/KHR_lights_punctual is not in extensionsUsed, but read",
+                                         "/animations: an empty list, taken for none"));
+}
+
+TEST(Load, AnimationsWhoseKeyTimesHaveNoDataAreNoted) {
+  GltfMaker g = GltfMaker::triangle();
+  g.json["accessors"].push_back({{"componentType", 5126}, {"type", "SCALAR"}, {"count", 2}});
+  g.json["accessors"].push_back({{"componentType", 5126}, {"type", "VEC3"}, {"count", 2}});
+  g.json["animations"] =
+      json::array({{{"samplers", json::array({{{"input", 2}, {"output", 3}}})},
+                    {"channels", json::array({{{"sampler", 0}, {"target", {{"node", 0}, {"path", "scale"}}}}})}}});
+  const Scene scene = load(g);
+  EXPECT_THAT(scene.notes, ElementsAre("/animations/0/channels/0: ignored: its key times have no data"));
+  EXPECT_TRUE(scene.animations[0].channels.empty());
+}
+
+TEST(Load, ManySkinsAndManyNodesWithoutNames) {
+  GltfMaker g = GltfMaker::skinned();
+  const json node = {{"mesh", 0}};
+  for (int i = 0; i < 2000; ++i) {
+    const std::size_t joint = g.json["nodes"].size();
+    g.json["nodes"].push_back(json::object());
+    g.json["nodes"].push_back(json::object());
+    g.json["nodes"].push_back({{"mesh", 0}, {"skin", g.json["skins"].size()}});
+    for (const std::size_t n : {joint, joint + 1, joint + 2}) g.json["scenes"][0]["nodes"].push_back(n);
+    g.json["skins"].push_back({{"joints", {joint, joint + 1}}, {"skeleton", joint}});
+  }
+  const Scene scene = load(g);
+  const auto objects = findObjects(scene);
+  ASSERT_EQ(objects.size(), 2001u);
+  EXPECT_EQ(objects[1].name, "object");
+  EXPECT_EQ(objects[2000].name, "object 2000");
 }
 
 TEST(Load, GlbByContentWhateverItsName) {

@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <set>
@@ -38,26 +39,35 @@ glm::vec3 restSize(const SceneObject& object, const PosedObject& posed) {
   return high - low;
 }
 
-bool isAtOrBelow(const Scene& scene, int node, int ancestor) {
-  while (node >= 0 && node != ancestor) node = scene.nodes[node].parent;
-  return node == ancestor;
-}
-
-// Does the channel move a vertex of the object: its nodes, its joints, or anything above them?
-bool moves(const Scene& scene, const SceneObject& object, const Channel& channel) {
+// The nodes whose movement moves a vertex of the object: its own, its joints, all above them.
+std::vector<bool> movingNodes(const Scene& scene, const SceneObject& object) {
+  std::vector<bool> moving(scene.nodes.size(), false);
+  const auto add = [&](int node) {
+    for (; node >= 0 && !moving[node]; node = scene.nodes[node].parent) moving[node] = true;
+  };
   for (const int meshNode : object.meshNodes) {
     const Node& node = scene.nodes[meshNode];
-    if (channel.path == AnimationPath::weights) {
-      if (meshNode == channel.node) return true;
-    } else if (node.skin < 0) {
-      if (isAtOrBelow(scene, meshNode, channel.node)) return true;
+    if (node.skin < 0) {
+      add(meshNode);
     } else {
-      for (const int joint : scene.skins[node.skin].joints) {
-        if (isAtOrBelow(scene, joint, channel.node)) return true;
-      }
+      for (const int joint : scene.skins[node.skin].joints) add(joint);
     }
   }
-  return false;
+  return moving;
+}
+
+std::vector<std::string> clipsThatMove(const Scene& scene, const SceneObject& object) {
+  const std::vector<bool> moving = movingNodes(scene, object);
+  std::vector<bool> morphing(scene.nodes.size(), false);
+  for (const int meshNode : object.meshNodes) morphing[meshNode] = true;
+  std::vector<std::string> clips;
+  for (const Animation& animation : scene.animations) {
+    const bool moves = std::ranges::any_of(animation.channels, [&](const Channel& channel) {
+      return channel.path == AnimationPath::weights ? morphing[channel.node] : moving[channel.node];
+    });
+    if (moves) clips.push_back(animation.name);
+  }
+  return clips;
 }
 
 Json describeObject(const Scene& scene, const SceneObject& object, const ScenePose& rest) {
@@ -73,14 +83,6 @@ Json describeObject(const Scene& scene, const SceneObject& object, const ScenePo
     targets = std::max(targets, scene.meshes[node.mesh].morphWeights.size());
     for (const Primitive& p : scene.meshes[node.mesh].primitives) flat = flat || p.normals.empty();
   }
-  Json clips = Json::array();
-  for (const Animation& animation : scene.animations) {
-    for (const Channel& channel : animation.channels) {
-      if (!moves(scene, object, channel)) continue;
-      clips.push_back(animation.name);
-      break;
-    }
-  }
   return {{"name", object.name},
           {"static", object.isStatic},
           {"triangles", object.triangles.size()},
@@ -89,7 +91,7 @@ Json describeObject(const Scene& scene, const SceneObject& object, const ScenePo
           {"joints", joints.size()},
           {"morph_targets", targets},
           {"flat_shaded", flat},
-          {"clips", clips}};
+          {"clips", clipsThatMove(scene, object)}};
 }
 
 Json describeClip(const Animation& animation) {

@@ -2,6 +2,7 @@
 
 #include "report/describe_lights.h"
 #include "scene/gltf_load.h"
+#include "scene/surface.h"
 
 #include <fmt/format.h>
 
@@ -16,6 +17,27 @@ int countLights(const Scene& scene) {
   PosedLights lights;
   poseLights(scene, rest, lights);
   return static_cast<int>(lights.names.size());
+}
+
+/// Objects without area (flattened to a line, to a point) have no surface to light: scenery, with a note. Error: all
+/// are.
+std::optional<Error> setFlatObjectsAside(const LoadedScene& loaded, std::vector<SceneObject>& objects,
+                                         std::vector<std::string>& notes) {
+  ScenePose rest;
+  poseScene(loaded.scene(), kRestPose, 0, rest);
+  PosedObject posed;
+  std::size_t flat = 0;
+  for (SceneObject& object : objects) {
+    if (object.isStatic) continue;
+    poseObject(loaded.scene(), object, rest, posed);
+    if (sampleSurface(object, posed, 1, 1)) continue;
+    object.isStatic = true;
+    ++flat;
+    notes.push_back("object '" + object.name + "' is left without a rig: it has no area");
+  }
+  if (flat > 0 && std::ranges::all_of(objects, &SceneObject::isStatic))
+    return Error{"no object has an area: there is nothing to light", loaded.source()};
+  return std::nullopt;
 }
 
 }  // namespace
@@ -37,17 +59,19 @@ Result<LoadedScene> LoadedScene::load(const std::string& source, const RunOption
   loaded.source_ = source;
   loaded.scene_ = std::make_unique<Scene>(*std::move(scene));
   if (auto error = scaleLights(*loaded.scene_, options.exposure)) return Error{error->line(), source};
+  loaded.objects_ = findObjects(*loaded.scene_);
+  if (loaded.objects_.empty()) return Error{"no triangles: there is nothing to light", source};
   const int ownLights = countLights(*loaded.scene_);
   if (donor == nullptr && ownLights == 0)
     return Error{"the scene has no lights (borrow some: --lights sample:street)", source};
-  loaded.objects_ = findObjects(*loaded.scene_);
   if (std::ranges::all_of(loaded.objects_, &SceneObject::isStatic))
     return Error{"every object is static scenery: nothing moves, so nothing needs a rig", source};
+  loaded.notes_ = loaded.scene_->notes;
+  if (auto error = setFlatObjectsAside(loaded, loaded.objects_, loaded.notes_)) return *error;
   loaded.donor_ = donor;
   auto timelines = makeTimelines(*loaded.scene_, options, donor != nullptr ? donor->duration() : 0);
   if (!timelines) return timelines.error();
   loaded.timelines_ = std::move(timelines->all);
-  loaded.notes_ = loaded.scene_->notes;
   if (donor != nullptr && ownLights > 0)
     loaded.notes_.push_back(fmt::format("its own {} light{} left out: --lights {}", ownLights,
                                         ownLights == 1 ? " is" : "s are", options.lights));

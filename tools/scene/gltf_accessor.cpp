@@ -3,17 +3,19 @@
 #include <tiny_gltf.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstring>
 
 namespace rigel::tools {
 namespace {
 
-// Files may name one accessor many times and count elements that no byte stands for; the sum is what costs memory. Real
-// files read most bytes once, and the vertices that primitives share a few dozen times.
-constexpr std::size_t kMaxComponents = std::size_t{1} << 28;  // 1 GiB of floats
+// Files may name one accessor many times and count elements that no byte stands for; the sum is what costs memory. A
+// file that reads each byte once stays below one component a byte, whatever its size; primitives that share their
+// vertices read them a few dozen times.
 constexpr std::size_t kFreeComponents = std::size_t{1} << 24;
 constexpr std::size_t kComponentsPerByte = 64;
+constexpr std::size_t kMaxUnbacked = std::size_t{1} << 26;  // 256 MiB of floats, twice that while they are read
 
 const char* typeName(int width) {
   switch (width) {
@@ -82,6 +84,10 @@ std::string formatName(int componentType, bool normalized) {
   return normalized ? fmt::format("normalized {}", name) : name;
 }
 
+[[noreturn]] void failAbsurd(const JsonPlace& place, std::size_t count) {
+  place.fail("count {} is absurd: the file's data would grow beyond all proportion to its size", count);
+}
+
 template <class T>
 double decode(const unsigned char* bytes, double scale) {
   T value;
@@ -120,10 +126,9 @@ struct AccessorReader::Layout {
 
 AccessorReader::AccessorReader(const GltfDocument& document)
     : document_(document), places_(document.root().items("accessors")), views_(document.root().items("bufferViews")) {
-  componentsLeft_ = kFreeComponents;
-  for (const tinygltf::Buffer& buffer : document.binary->buffers)
-    componentsLeft_ += kComponentsPerByte * buffer.data.size();
-  componentsLeft_ = std::min(componentsLeft_, kMaxComponents);
+  std::size_t bytes = 0;
+  for (const tinygltf::Buffer& buffer : document.binary->buffers) bytes += buffer.data.size();
+  componentsLeft_ = bytes + std::min(kFreeComponents + kComponentsPerByte * bytes, kMaxUnbacked);
 }
 
 int AccessorReader::count() const noexcept { return static_cast<int>(places_.size()); }
@@ -135,20 +140,32 @@ bool AccessorReader::isMaxIndex(int accessor, std::uint32_t value) const {
   return value == 0xffffffffu >> (32 - 8 * bytes);
 }
 
-// Address of `bytes` bytes at `offset` in a buffer view, once view and buffer are known to hold them.
+void AccessorReader::reserve(const JsonPlace& place, std::size_t components) {
+  if (components > componentsLeft_) failAbsurd(place, components);
+  componentsLeft_ -= components;
+}
+
+bool AccessorReader::hasData(int accessor) const {
+  const tinygltf::Accessor& a = document_.binary->accessors[accessor];
+  return a.bufferView >= 0 || a.sparse.isSparse;
+}
+
+// Address of `bytes` bytes at `offset` in a buffer view. checkLayouts made sure that view and buffer hold them.
 const unsigned char* AccessorReader::viewData(const JsonPlace& place, int view, std::size_t offset,
-                                              std::size_t bytes) const {
+                                              [[maybe_unused]] std::size_t bytes) const {
   const tinygltf::BufferView& v = document_.binary->bufferViews[view];
-  if (!document_.bufferHasData[v.buffer]) {
-    place.fail("is in buffer {}, which has neither \"uri\" nor a GLB binary chunk", v.buffer);
+  if (const auto& lack = document_.bufferLacks[v.buffer]) {
+    for (const char* codec : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
+      const auto extensions = views_[view].find("extensions");
+      if (extensions && extensions->has(codec))
+        views_[view].fail("is compressed by {}, which Rigel does not read", codec);
+    }
+    if (!lack->place.empty()) throw *lack;
+    place.fail("is in buffer {}, {}", v.buffer, lack->message);
   }
   const std::vector<unsigned char>& buffer = document_.binary->buffers[v.buffer].data;
-  if (v.byteOffset > buffer.size() || v.byteLength > buffer.size() - v.byteOffset) {
-    views_[view].fail("ends at byte {}, buffer {} has {}", v.byteOffset + v.byteLength, v.buffer, buffer.size());
-  }
-  if (offset > v.byteLength || bytes > v.byteLength - offset) {
-    place.fail("needs bytes {} to {} of bufferView {}, which has {}", offset, offset + bytes, view, v.byteLength);
-  }
+  assert(v.byteOffset <= buffer.size() && offset + bytes <= v.byteLength &&
+         v.byteLength <= buffer.size() - v.byteOffset);
   return buffer.data() + v.byteOffset + offset;
 }
 
@@ -167,22 +184,13 @@ AccessorReader::Layout AccessorReader::layout(const JsonPlace& user, int accesso
   out.count = a.count;
   out.width = static_cast<std::size_t>(width);
   out.componentBytes = static_cast<std::size_t>(tinygltf::GetComponentSizeInBytes(a.componentType));
-  if (a.count > componentsLeft_ / out.width) {
-    place.fail("count {} is absurd: the file's data would grow beyond all proportion to its size", a.count);
-  }
-  componentsLeft_ -= a.count * out.width;
+  if (a.count > componentsLeft_ / out.width) failAbsurd(place, a.count);
+  reserve(place, a.count * out.width);
   if (a.bufferView < 0) return out;
 
   const tinygltf::BufferView& view = document_.binary->bufferViews[a.bufferView];
   const std::size_t elementBytes = out.componentBytes * out.width;
   out.stride = view.byteStride != 0 ? view.byteStride : elementBytes;
-  if (out.stride < elementBytes) {
-    place.fail("elements of {} bytes overlap: byteStride of bufferView {} is {}", elementBytes, a.bufferView,
-               out.stride);
-  }
-  if (a.byteOffset % out.componentBytes != 0 || (a.byteOffset + view.byteOffset) % out.componentBytes != 0) {
-    place.fail("is not aligned to its component size {}", out.componentBytes);
-  }
   out.data = viewData(place, a.bufferView, a.byteOffset, out.stride * (a.count - 1) + elementBytes);
   return out;
 }
@@ -204,11 +212,7 @@ void AccessorReader::forEachComponent(const Layout& in, Store&& store) const {
 
   const JsonPlace sparse = place.member("sparse");
   const auto count = static_cast<std::size_t>(a.sparse.count);
-  if (count < 1 || count > in.count) sparse.member("count").fail("must be 1 to {}, is {}", in.count, count);
   const int indexType = a.sparse.indices.componentType;
-  if ((formatBits(indexType, false) & (kUnsigned8 | kUnsigned16 | kUnsigned32)) == 0) {
-    sparse.member("indices").member("componentType").fail("must be an unsigned integer type, is {}", indexType);
-  }
   const auto indexBytes = static_cast<std::size_t>(tinygltf::GetComponentSizeInBytes(indexType));
   const std::size_t elementBytes = in.componentBytes * in.width;
   const unsigned char* indices = viewData(sparse.member("indices"), a.sparse.indices.bufferView,

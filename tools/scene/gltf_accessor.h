@@ -26,7 +26,11 @@ class AccessorReader {
 
   int count() const noexcept;                                // how many accessors there are
   std::size_t elements(int accessor) const;                  // its element count
+  bool hasData(int accessor) const;                          // or is it all zeros
   bool isMaxIndex(int accessor, std::uint32_t value) const;  // all bits set: primitive restart
+
+  /// Counts `components` numbers that are stored without being read; throws where the file asks for absurdly many.
+  void reserve(const JsonPlace& place, std::size_t components);
 
   /// All elements as floats, `width` components each (1, 3, 4 or 16); normalised integers are mapped to [0, 1] or
   /// [-1, 1]. `user` is the reference being followed; errors of format stand there, errors of layout at the accessor.
@@ -38,7 +42,8 @@ class AccessorReader {
  private:
   struct Layout;
   Layout layout(const JsonPlace& user, int accessor, int width, unsigned allowed);
-  const unsigned char* viewData(const JsonPlace& place, int view, std::size_t offset, std::size_t bytes) const;
+  const unsigned char* viewData(const JsonPlace& place, int view, std::size_t offset,
+                                [[maybe_unused]] std::size_t bytes) const;
   template <class Store>
   void forEachComponent(const Layout& layout, Store&& store) const;
 

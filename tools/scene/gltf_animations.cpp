@@ -28,6 +28,7 @@ std::vector<float> readTimes(GltfImport& import, const JsonPlace& sampler) {
   const int accessor = sampler.requiredIndex("input", import.accessors.count(), "accessor");
   const JsonPlace user = sampler.member("input");
   std::vector<float> times = import.accessors.floats(user, accessor, 1, kFloat);
+  if (times.size() > 1 && !import.accessors.hasData(accessor)) return times;  // ignored by who asked
   if (times.front() < 0) user.fail("accessor {} begins at the negative time {}", accessor, times.front());
   for (std::size_t i = 1; i < times.size(); ++i) {
     if (times[i] <= times[i - 1]) {
@@ -94,6 +95,10 @@ std::optional<Channel> readChannel(GltfImport& import, const JsonPlace& place, c
   channel.interpolation = readInterpolation(samplers[sampler]);
   channel.times = readTimes(import, samplers[sampler]);
   readValues(import, samplers[sampler], channel);
+  if (channel.times.back() == 0 && channel.times.size() > 1) {
+    import.note("{}: ignored: its key times have no data", place.path());
+    return std::nullopt;
+  }
   return channel;
 }
 

@@ -9,9 +9,10 @@ namespace rigel::tools {
 namespace {
 
 // Nodes may show one mesh many times: what counts is what findObjects will lay out.
-constexpr std::size_t kMaxSceneVertices = 100'000'000;
+constexpr std::size_t kMaxSceneVertices = 25'000'000;
+constexpr std::size_t kMaxNotes = 200;
 
-void refuseEmptyOrAbsurd(const GltfImport& import) {
+void refuseAbsurdAndNoteEmpty(GltfImport& import) {
   const Scene& scene = import.scene;
   const std::vector<bool> inScene = nodesInScene(scene);
   std::size_t triangles = 0, vertices = 0;
@@ -22,7 +23,7 @@ void refuseEmptyOrAbsurd(const GltfImport& import) {
       vertices += std::max(primitive.positions.size(), primitive.triangles.size());
     }
   }
-  if (triangles == 0) import.document.root().fail("no mesh: nothing to light");
+  if (triangles == 0) import.note("no triangles: there is nothing to light");
   if (vertices > kMaxSceneVertices) {
     import.document.root().fail("its nodes show {} vertices, more than {}", vertices, kMaxSceneVertices);
   }
@@ -43,31 +44,56 @@ void refuseStrayJoints(const GltfImport& import) {
   }
 }
 
-}  // namespace
+// Some files give one reason thousands of times.
+void shorten(std::vector<std::string>& notes) {
+  if (notes.size() <= kMaxNotes) return;
+  const std::size_t more = notes.size() - kMaxNotes;
+  notes.resize(kMaxNotes);
+  notes.push_back(fmt::format("and {} more notes", more));
+}
 
-Result<Scene> loadGltf(const std::filesystem::path& file) {
+Scene importScene(const GltfDocument& document) {
+  GltfImport import(document);
+  importExtensions(import);
+  importMaterials(import);
+  importLights(import);
+  importMeshes(import);
+  importNodes(import);
+  importSkins(import);
+  importAnimations(import);
+  refuseStrayJoints(import);
+  dropStrayVertices(import.scene);
+  refuseAbsurdAndNoteEmpty(import);
+  shorten(import.scene.notes);
+  return std::move(import.scene);
+}
+
+// `read` gives the document; whatever goes wrong becomes an Error of one line that begins with `source`.
+template <class Read>
+Result<Scene> load(const std::string& source, const std::string& name, Read&& read) {
   try {
-    const GltfDocument document = readGltfDocument(file);
-    GltfImport import(document);
-    importExtensions(import);
-    importMaterials(import);
-    importLights(import);
-    importMeshes(import);
-    importNodes(import);
-    importSkins(import);
-    importAnimations(import);
-    refuseStrayJoints(import);
-    dropStrayVertices(import.scene);
-    refuseEmptyOrAbsurd(import);
-    import.scene.name = file.filename().string();
-    return std::move(import.scene);
+    Scene scene = importScene(read());
+    scene.name = name;
+    return scene;
   } catch (const LoadError& error) {
-    return Error{error.message, error.place.empty() ? file.string() : file.string() + ": " + error.place};
+    return Error{error.message, error.place.empty() ? source : source + ": " + error.place};
   } catch (const std::exception& error) {
     std::string message = error.what();
     std::ranges::replace(message, '\n', ' ');
-    return Error{"cannot be read (" + message + ")", file.string()};
+    return Error{"cannot be read (" + message + ")", source};
   }
+}
+
+}  // namespace
+
+Result<Scene> loadGltf(const std::filesystem::path& file) {
+  return load(file.string(), file.filename().string(), [&] {
+    return readGltfDocument(readWholeFile(file, ""), {file.parent_path(), true});
+  });
+}
+
+Result<Scene> loadGltfFromMemory(std::string bytes, const std::string& name) {
+  return load(name, name, [&] { return readGltfDocument(std::move(bytes), {{}, false}); });
 }
 
 }  // namespace rigel::tools

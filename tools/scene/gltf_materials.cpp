@@ -20,6 +20,14 @@ bool concernsLookOnly(std::string_view name) {
   return name.starts_with("KHR_materials_") || std::ranges::find(kTextures, name) != std::end(kTextures);
 }
 
+// glTF wants at least one entry in every list that is there; an empty one says what none says.
+void noteEmptyLists(GltfImport& import) {
+  for (const auto& [name, value] : import.document.root().members()) {
+    if (value.value().is_array() && value.value().empty())
+      import.note("{}: an empty list, taken for none", value.path());
+  }
+}
+
 glm::vec3 baseColour(const JsonPlace& material) {
   float rgba[4] = {1, 1, 1, 1};
   if (const auto pbr = material.find("pbrMetallicRoughness")) {
@@ -56,6 +64,13 @@ void importExtensions(GltfImport& import) {
   for (const std::string& name : used) {
     if (!isUnderstood(name)) import.note("extension {} ignored: not supported by this version", name);
   }
+  if (const auto extensions = root.find("extensions")) {
+    for (const auto& [name, value] : extensions->members()) {
+      if (isUnderstood(name) && !used.contains(name))
+        import.note("{} is not in extensionsUsed, but read", value.path());
+    }
+  }
+  noteEmptyLists(import);
   if (const std::size_t cameras = root.items("cameras").size()) import.note("{} camera(s) ignored", cameras);
   if (root.has("textures")) import.note("textures ignored: colours are the materials' base colour factors");
 }

@@ -58,15 +58,26 @@ class MeshReader {
     return toVec3(import_.accessors.floats(owner.member(name), accessor, 3, kFloat | extra));
   }
 
+  // Draco leaves accessors without data behind, which glTF otherwise reads as zeros.
+  void refuseCompressed(const JsonPlace& place, const JsonPlace& attributes) const {
+    const auto extensions = place.find("extensions");
+    if (!extensions || !extensions->has("KHR_draco_mesh_compression")) return;
+    const int position = attributes.requiredIndex("POSITION", import_.accessors.count(), "accessor");
+    if (!import_.accessors.hasData(position))
+      place.fail("is compressed by KHR_draco_mesh_compression, which Rigel does not read");
+  }
+
   std::optional<Primitive> readPrimitive(const JsonPlace& place) {
     const std::size_t mode = place.size("mode", 4);
     if (mode > 6) place.member("mode").fail("{} is none of glTF's", mode);
+    const JsonPlace attributes = place.member("attributes");
     if (mode < 4) {
+      checkInfluences(attributes);
       import_.note("{}: {} ignored: only triangles are lit", place.path(), mode == 0 ? "points" : "lines");
       return std::nullopt;
     }
-    const JsonPlace attributes = place.member("attributes");
     if (!attributes.has("POSITION")) {
+      checkInfluences(attributes);
       if (const auto extensions = place.find("extensions")) {
         for (const auto& [name, value] : extensions->members())
           place.fail("has no POSITION but {}, not supported", name);
@@ -74,6 +85,7 @@ class MeshReader {
       import_.note("{}: ignored: has no POSITION", place.path());
       return std::nullopt;
     }
+    refuseCompressed(place, attributes);
     Primitive out;
     out.positions = vectors(attributes, "POSITION", 0, quantized_);
     const std::size_t vertices = out.positions.size();
@@ -89,6 +101,7 @@ class MeshReader {
     readInfluences(attributes, vertices, out.influences);
     for (const JsonPlace& target : place.items("targets")) {
       MorphTarget morph;
+      if (!target.has("POSITION")) import_.accessors.reserve(target, 3 * vertices);
       if (target.has("POSITION")) morph.positions = vectors(target, "POSITION", vertices, quantized_);
       if (target.has("NORMAL")) {
         if (out.normals.empty()) target.member("NORMAL").fail("the primitive itself has no NORMAL");
@@ -136,6 +149,14 @@ class MeshReader {
     } else {
       for (std::size_t k = 1; k + 1 < i.size(); ++k) addUnlessStitch({i[0], i[k], i[k + 1]});
     }
+  }
+
+  // Of a primitive that is ignored for another reason.
+  void checkInfluences(const JsonPlace& attributes) {
+    if (!attributes.has("JOINTS_0")) return;
+    std::vector<Influences> unused;
+    const int accessor = attributes.requiredIndex("JOINTS_0", import_.accessors.count(), "accessor");
+    readInfluences(attributes, import_.accessors.elements(accessor), unused);
   }
 
   void readInfluences(const JsonPlace& attributes, std::size_t vertices, std::vector<Influences>& out) {

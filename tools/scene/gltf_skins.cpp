@@ -4,25 +4,53 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
+#include <algorithm>
+
 namespace rigel::tools {
 namespace {
 
-int depthOf(const std::vector<Node>& nodes, int node) {
-  int depth = 0;
-  for (; nodes[node].parent >= 0; node = nodes[node].parent) ++depth;
-  return depth;
+// A skin may take a walk through all nodes. Crowds have thousands of skins of a hundred joints.
+constexpr std::size_t kMaxSkinsTimesNodes = std::size_t{1} << 30;
+
+// Steps from each node up to its root. Skeletons may be chains of thousands: a walk per joint would never end.
+std::vector<int> nodeDepths(const std::vector<Node>& nodes) {
+  std::vector<int> depths(nodes.size(), -1);
+  std::vector<int> pending;
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    if (nodes[i].parent < 0) pending.push_back(static_cast<int>(i));
+  while (!pending.empty()) {
+    const int node = pending.back();
+    pending.pop_back();
+    depths[node] = nodes[node].parent < 0 ? 0 : depths[nodes[node].parent] + 1;
+    pending.insert(pending.end(), nodes[node].children.begin(), nodes[node].children.end());
+  }
+  return depths;
 }
 
-// The node at or above both; -1 when they are in different trees.
-int commonAncestor(const std::vector<Node>& nodes, int a, int b) {
-  int depthA = depthOf(nodes, a), depthB = depthOf(nodes, b);
-  for (; depthA > depthB; --depthA) a = nodes[a].parent;
-  for (; depthB > depthA; --depthB) b = nodes[b].parent;
-  while (a != b && a >= 0 && b >= 0) {
-    a = nodes[a].parent;
-    b = nodes[b].parent;
+// The lowest node at or above all of `joints`; -1 when they are in different trees. Visits each node once.
+int commonAncestor(const std::vector<Node>& nodes, const std::vector<int>& depths, const std::vector<int>& joints) {
+  std::vector<bool> below(nodes.size(), false);  // known to lie at or below `common`
+  int common = joints.front();
+  below[common] = true;
+  for (int joint : joints) {
+    for (; !below[joint] && depths[joint] > depths[common]; joint = nodes[joint].parent) below[joint] = true;
+    if (below[joint]) continue;
+    while (common != joint) {
+      if (depths[common] == depths[joint]) {
+        below[joint] = true;
+        joint = nodes[joint].parent;
+      }
+      common = nodes[common].parent;
+      if (common < 0) return -1;
+      below[common] = true;
+    }
   }
-  return a == b ? a : -1;
+  return common;
+}
+
+bool isAtOrAbove(const std::vector<Node>& nodes, const std::vector<int>& depths, int upper, int node) {
+  while (depths[node] > depths[upper]) node = nodes[node].parent;
+  return node == upper;
 }
 
 void readJoints(const JsonPlace& place, const std::vector<Node>& nodes, Skin& skin) {
@@ -57,18 +85,18 @@ void readInverseBind(GltfImport& import, const JsonPlace& place, Skin& skin) {
   }
 }
 
-void chooseSkeletonRoot(GltfImport& import, const JsonPlace& place, Skin& skin) {
+void chooseSkeletonRoot(GltfImport& import, const JsonPlace& place, const std::vector<int>& depths, Skin& skin) {
   const std::vector<Node>& nodes = import.scene.nodes;
-  int common = skin.joints.front();
-  for (const int joint : skin.joints) common = common < 0 ? common : commonAncestor(nodes, common, joint);
   const int named = place.index("skeleton", nodes.size(), "node");
-  if (common < 0) {
+  int common = commonAncestor(nodes, depths, skin.joints);
+  const bool found = common >= 0;
+  if (!found) {
     for (common = skin.joints.front(); nodes[common].parent >= 0;) common = nodes[common].parent;
     import.note("{}: joints have no common root; the first one's is used", place.path());
   }
   skin.skeletonRoot = common;
   if (named < 0) return;
-  if (commonAncestor(nodes, named, common) == named) {
+  if (found && isAtOrAbove(nodes, depths, named, common)) {
     skin.skeletonRoot = named;
   } else {
     import.note("{}/skeleton: node {} is not above all joints; node {} is used", place.path(), named, common);
@@ -96,12 +124,17 @@ void checkJointNumbers(const std::vector<JsonPlace>& places, const Scene& scene)
 }  // namespace
 
 void importSkins(GltfImport& import) {
-  for (const JsonPlace& place : import.document.root().items("skins")) {
+  const std::vector<JsonPlace> places = import.document.root().items("skins");
+  if (places.size() > kMaxSkinsTimesNodes / std::max<std::size_t>(import.scene.nodes.size(), 1))
+    import.document.root().member("skins").fail("{} skins of {} nodes are absurd", places.size(),
+                                                import.scene.nodes.size());
+  const std::vector<int> depths = nodeDepths(import.scene.nodes);
+  for (const JsonPlace& place : places) {
     Skin skin;
     skin.name = readName(place);
     readJoints(place, import.scene.nodes, skin);
     readInverseBind(import, place, skin);
-    chooseSkeletonRoot(import, place, skin);
+    chooseSkeletonRoot(import, place, depths, skin);
     import.scene.skins.push_back(std::move(skin));
   }
   checkJointNumbers(import.document.root().items("nodes"), import.scene);

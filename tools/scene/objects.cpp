@@ -5,6 +5,7 @@
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <unordered_map>
 #include <unordered_set>
 
 namespace rigel::tools {
@@ -86,10 +87,15 @@ std::string skinnedName(const Scene& scene, const SceneObject& object, const Ski
 
 void makeNamesUnique(std::vector<SceneObject>& objects) {
   std::unordered_set<std::string> taken;
+  std::unordered_map<std::string, int>
+      suffixes;  // the last one given to each name: thousands may have none of their own
   for (SceneObject& object : objects) {
-    std::string name = object.name;
-    for (int suffix = 2; !taken.insert(name).second; ++suffix) name = object.name + " " + std::to_string(suffix);
-    object.name = name;
+    if (taken.insert(object.name).second) continue;
+    int& suffix = suffixes.try_emplace(object.name, 1).first->second;
+    std::string name;
+    do name = object.name + " " + std::to_string(++suffix);
+    while (!taken.insert(name).second);
+    object.name = std::move(name);
   }
 }
 
