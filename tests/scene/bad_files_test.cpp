@@ -120,7 +120,7 @@ TEST(BadInput, NothingToLightIsNoted) {
     const auto scene = loadGltf(folder / "t.gltf");
     ASSERT_TRUE(scene) << scene.error().line();
     ASSERT_FALSE(scene->notes.empty());
-    EXPECT_EQ(scene->notes.back(), "no triangles: there is nothing to light");
+    EXPECT_EQ(scene->notes.back(), "no mesh of triangles: there is nothing to light");
     EXPECT_TRUE(findObjects(*scene).empty());
   }
 }

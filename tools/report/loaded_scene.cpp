@@ -60,7 +60,7 @@ Result<LoadedScene> LoadedScene::load(const std::string& source, const RunOption
   loaded.scene_ = std::make_unique<Scene>(*std::move(scene));
   if (auto error = scaleLights(*loaded.scene_, options.exposure)) return Error{error->line(), source};
   loaded.objects_ = findObjects(*loaded.scene_);
-  if (loaded.objects_.empty()) return Error{"no triangles: there is nothing to light", source};
+  if (loaded.objects_.empty()) return Error{"no mesh of triangles: there is nothing to light", source};
   const int ownLights = countLights(*loaded.scene_);
   if (donor == nullptr && ownLights == 0)
     return Error{"the scene has no lights (borrow some: --lights sample:street)", source};

@@ -23,7 +23,7 @@ void refuseAbsurdAndNoteEmpty(GltfImport& import) {
       vertices += std::max(primitive.positions.size(), primitive.triangles.size());
     }
   }
-  if (triangles == 0) import.note("no triangles: there is nothing to light");
+  if (triangles == 0) import.note("no mesh of triangles: there is nothing to light");
   if (vertices > kMaxSceneVertices) {
     import.document.root().fail("its nodes show {} vertices, more than {}", vertices, kMaxSceneVertices);
   }
