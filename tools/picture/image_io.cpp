@@ -7,6 +7,8 @@
 #include <ImfHeader.h>
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
+#include <ImfStdIO.h>
+#include <fmt/format.h>
 #include <half.h>
 #include <png.h>
 
@@ -17,6 +19,9 @@
 
 namespace rigel::tools {
 namespace {
+
+// A header may state any size; a GiB of pixels is read.
+constexpr std::int64_t kMaxSide = 1 << 16, kMaxPixels = 1 << 26;
 
 constexpr const char* kChannels[4] = {"R", "G", "B", "A"};
 
@@ -31,8 +36,10 @@ std::vector<T> interleave(const Image& image) {
   return out;
 }
 
+/// The file as it will lie on the disk. OpenEXR writes its last bytes in a destructor, which tells nobody that the disk
+/// was full: so it writes to memory.
 template <class T>
-void writeExrAs(const Image& image, const std::filesystem::path& file, Imf::PixelType type) {
+std::string encodeExrAs(const Image& image, Imf::PixelType type) {
   std::vector<T> data = interleave<T>(image);
   Imf::Header header(image.width, image.height);
   header.compression() = Imf::ZIP_COMPRESSION;
@@ -42,9 +49,25 @@ void writeExrAs(const Image& image, const std::filesystem::path& file, Imf::Pixe
     frame.insert(kChannels[c], Imf::Slice(type, reinterpret_cast<char*>(data.data() + c), 4 * sizeof(T),
                                           4 * sizeof(T) * static_cast<std::size_t>(image.width)));
   }
-  Imf::OutputFile out(file.string().c_str(), header);
-  out.setFrameBuffer(frame);
-  out.writePixels(image.height);
+  Imf::StdOSStream bytes;
+  {
+    Imf::OutputFile out(bytes, header);
+    out.setFrameBuffer(frame);
+    out.writePixels(image.height);
+  }
+  return bytes.str();
+}
+
+/// All bytes, or a filesystem_error that says why not: streams do not tell.
+void writeBytes(const std::filesystem::path& file, const void* bytes, std::size_t size) {
+  const auto fail = [](int cause) {
+    throw std::filesystem::filesystem_error("write", std::error_code(cause, std::generic_category()));
+  };
+  std::FILE* out = std::fopen(file.c_str(), "wb");
+  if (!out) fail(errno);
+  const int writeError = std::fwrite(bytes, 1, size, out) == size ? 0 : errno;
+  const int closeError = std::fclose(out) == 0 ? 0 : errno;  // a full disk may show only here
+  if (const int cause = writeError ? writeError : closeError) fail(cause);
 }
 
 Result<std::vector<std::uint8_t>> pngFailure(const png_image& png) {
@@ -55,11 +78,9 @@ Result<std::vector<std::uint8_t>> pngFailure(const png_image& png) {
 
 Result<std::size_t> writeExr(const Image& image, const std::filesystem::path& file, ExrDepth depth) {
   return replaceFile(file, [&](const std::filesystem::path& aside) {
-    if (depth == ExrDepth::half) {
-      writeExrAs<half>(image, aside, Imf::HALF);
-    } else {
-      writeExrAs<float>(image, aside, Imf::FLOAT);
-    }
+    const std::string bytes =
+        depth == ExrDepth::half ? encodeExrAs<half>(image, Imf::HALF) : encodeExrAs<float>(image, Imf::FLOAT);
+    writeBytes(aside, bytes.data(), bytes.size());
   });
 }
 
@@ -72,7 +93,11 @@ Result<Image> readExr(const std::filesystem::path& file) {
         return Error{std::string("has no channel ") + name, file.string()};
       }
     }
-    Image image(window.max.x - window.min.x + 1, window.max.y - window.min.y + 1);
+    const std::int64_t columns = std::int64_t{window.max.x} - window.min.x + 1;
+    const std::int64_t rows = std::int64_t{window.max.y} - window.min.y + 1;
+    if (columns < 1 || rows < 1 || columns > kMaxSide || rows > kMaxSide || columns * rows > kMaxPixels)
+      return Error{fmt::format("has {} x {} pixels, more than {}", columns, rows, kMaxPixels), file.string()};
+    Image image(static_cast<int>(columns), static_cast<int>(rows));
     const auto width = static_cast<std::size_t>(image.width);
     Imf::FrameBuffer frame;
     for (std::size_t c = 0; c < 3; ++c) {
@@ -104,17 +129,7 @@ Result<std::vector<std::uint8_t>> encodePng(const Image8& image) {
 }
 
 Result<std::size_t> writeEncodedPng(std::span<const std::uint8_t> png, const std::filesystem::path& file) {
-  return replaceFile(file, [&](const std::filesystem::path& aside) {
-    // Not a stream, which would not tell why it failed.
-    const auto fail = [](int cause) {
-      throw std::filesystem::filesystem_error("write", std::error_code(cause, std::generic_category()));
-    };
-    std::FILE* out = std::fopen(aside.c_str(), "wb");
-    if (!out) fail(errno);
-    const int writeError = std::fwrite(png.data(), 1, png.size(), out) == png.size() ? 0 : errno;
-    const int closeError = std::fclose(out) == 0 ? 0 : errno;  // a full disk may show only here
-    if (const int cause = writeError ? writeError : closeError) fail(cause);
-  });
+  return replaceFile(file, [&](const std::filesystem::path& aside) { writeBytes(aside, png.data(), png.size()); });
 }
 
 Result<std::size_t> writePng(const Image8& image, const std::filesystem::path& file) {
