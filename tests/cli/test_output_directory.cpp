@@ -8,8 +8,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <fstream>
+#include <map>
+#include <random>
 #include <set>
+#include <sstream>
 #include <thread>
 
 namespace rigel::test {
@@ -209,6 +213,52 @@ TEST_F(OutputDirectory, LosesWhatAKilledProgramLeft) {
   EXPECT_EQ(namesIn(out_).size(), 1u) << "nothing can be done about this signal";
   expectReport(kQuick);
   EXPECT_EQ(namesIn(out_), (Names{"images", "report.html", "report.json"}));
+}
+
+/// The rigs of the report in `out` and the bytes of its pictures; nothing where there is no report.json.
+std::map<std::string, std::string> heldReport(const fs::path& out) {
+  const auto bytes = [](const fs::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file, std::ios::binary).rdbuf();
+    return text.str();
+  };
+  std::map<std::string, std::string> held;
+  if (!fs::exists(out / "report.json")) return held;
+  const std::string command = nlohmann::json::parse(bytes(out / "report.json"))["command"];
+  held["rigs"] = command.substr(command.find("--rig"), 25);
+  if (fs::exists(out / "report.html")) {
+    EXPECT_THAT(bytes(out / "report.html"), HasSubstr(nlohmann::json(command).dump())) << "a page of another report";
+  }
+  for (const std::string& name : listedPictures(out)) held[name] = bytes(out / "images" / name);
+  return held;
+}
+
+TEST_F(OutputDirectory, HoldsOneReportWheneverTheProgramIsKilled) {
+  expectReport(kQuick);
+  const auto start = std::chrono::steady_clock::now();
+  expectReport(kQuick);
+  const std::chrono::duration<double> whole = std::chrono::steady_clock::now() - start;
+  auto before = heldReport(out_);
+  std::vector<std::string> arguments{"report", "--quiet", "--out", out_};
+  arguments.insert(arguments.end(), kQuickOther.begin(), kQuickOther.end());
+  std::mt19937 random(1);
+  const int times = std::getenv("RIGEL_FULL") ? 200 : 6;
+  for (int i = 0; i < times; ++i) {
+    RunningProgram program(arguments);
+    std::this_thread::sleep_for(whole * std::uniform_real_distribution(0.0, 1.1)(random));
+    program.signal(SIGKILL);
+    program.wait();
+    const auto after = heldReport(out_);
+    if (after.empty()) continue;  // withdrawn while its place was being taken
+    if (after.at("rigs") == before.at("rigs")) {
+      EXPECT_EQ(after, before) << "the report as it was";
+    }
+    for (const auto& [name, content] : after) EXPECT_FALSE(content.empty()) << name << " is not whole";
+    before = after;
+  }
+  expectReport(kQuickOther);
+  EXPECT_EQ(namesIn(out_), (Names{"images", "report.html", "report.json"}));
+  EXPECT_EQ(namesIn(out_ + "/images"), listedPictures(out_));
 }
 
 }  // namespace

@@ -32,13 +32,15 @@ std::string pictureName(const std::string& path) {
 
 }  // namespace
 
-std::set<std::string> earlierPictures(const fs::path& report) {
+std::set<std::string> earlierPictures(const fs::path& report) { return picturesNamed(report / "report.json", report); }
+
+std::set<std::string> picturesNamed(const fs::path& document, const fs::path& report) {
   std::set<std::string> names;
-  std::ifstream stream(report / "report.json", std::ios::binary);
+  std::ifstream stream(document, std::ios::binary);
   if (!stream) return names;
-  const Json document = Json::parse(stream, nullptr, false);
+  const Json parsed = Json::parse(stream, nullptr, false);
   std::error_code code;
-  for (const Json& object : listIn(document, "objects"))
+  for (const Json& object : listIn(parsed, "objects"))
     for (const Json& picture : listIn(object, "pictures"))
       for (const char* key : {"image_png", "image_exr", "error_png", "error_exr"}) {
         if (!picture.is_object() || !picture.contains(key) || !picture[key].is_string()) continue;

@@ -14,5 +14,7 @@ inline constexpr const char* kImageFolder = "images";
 /// where there is no report.json or it is not one of ours. What it says is not trusted: no name leads out of the
 /// folder.
 std::set<std::string> earlierPictures(const std::filesystem::path& report);
+/// The same by another copy of its report.json.
+std::set<std::string> picturesNamed(const std::filesystem::path& document, const std::filesystem::path& report);
 
 }  // namespace rigel::tools

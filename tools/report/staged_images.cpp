@@ -1,14 +1,14 @@
 #include "report/staged_images.h"
 
+#include "report/leftovers.h"
 #include "report/picture_names.h"
 
 #include <fmt/format.h>
-#include <signal.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <regex>
+#include <fstream>
+#include <ranges>
 #include <system_error>
 
 namespace rigel::tools {
@@ -16,29 +16,6 @@ namespace rigel::tools {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr const char* kPrevious = "previous";  // folder within the one aside
-
-bool isDead(const std::string& process) {
-  constexpr std::size_t kLongestId = 9;  // beyond it is no process id, and so no folder of ours
-  return process.size() <= kLongestId && ::kill(std::stoi(process), 0) != 0 && errno == ESRCH;
-}
-
-/// Removes what programs that were killed have left in `report`: the folders and files that they had aside.
-void removeLeftovers(const fs::path& report) {
-  const std::regex folder(fmt::format(R"(\.{}\.(\d+))", kImageFolder));
-  const std::regex file(R"(\.report\.(?:html|json)\.(\d+)\.(?:new|old))");
-  std::error_code code;
-  std::vector<fs::path> leftovers;
-  for (fs::directory_iterator entry(report, code), end; !code && entry != end; entry.increment(code)) {
-    const std::string name = entry->path().filename().string();
-    const bool real = !entry->is_symlink(code);
-    std::smatch match;
-    const bool ours = real && std::regex_match(name, match, entry->is_directory(code) ? folder : file);
-    if (ours && isDead(match[1])) leftovers.push_back(entry->path());
-  }
-  for (const fs::path& path : leftovers) fs::remove_all(path, code);
-}
 
 bool isTaken(const fs::path& path) {
   std::error_code code;
@@ -54,7 +31,7 @@ StagedImages::StagedImages(const fs::path& report)
       earlier_(earlierPictures(report)) {}
 
 Result<std::unique_ptr<StagedImages>> StagedImages::begin(const fs::path& report, bool pictures) {
-  removeLeftovers(report);
+  putInOrder(report);
   std::unique_ptr<StagedImages> images(new StagedImages(report));
   std::error_code code;
   fs::remove_all(images->aside_, code);  // of a program that was killed and had our process id
@@ -94,19 +71,36 @@ std::optional<Error> StagedImages::putInPlace() {
   for (fs::directory_iterator entry(aside_, code), end; !code && entry != end; entry.increment(code))
     if (entry->is_regular_file(code)) names.push_back(entry->path().filename().string());
   if (code) return Error{"cannot be read: " + code.message(), aside_.string()};
-  if (names.empty()) return std::nullopt;
   std::ranges::sort(names);
 
-  madeTarget_ = fs::create_directory(target_, code);
-  if (!code) fs::create_directory(aside_ / kPrevious, code);
-  if (code) return Error{"the pictures cannot be put in place: " + code.message(), target_.string()};
+  fs::create_directory(aside_ / kPrevious, code);
+  if (code) return Error{"cannot be written: " + code.message(), aside_.string()};
   earlier_ = earlierPictures(report_);  // another program may have been quicker
+  if (auto error = withdraw(names)) return error;
+  if (names.empty()) return std::nullopt;
+  madeTarget_ = fs::create_directory(target_, code);
+  if (code) return Error{"the pictures cannot be put in place: " + code.message(), target_.string()};
   for (const std::string& name : names) {
     if (isTaken(target_ / name) && !earlier_.contains(name))
       return Error{"is in the way of a picture and no report names it; move it away first", (target_ / name).string()};
     files_.push_back(std::make_unique<StagedFile>(target_ / name, aside_ / name, aside_ / kPrevious / name));
     if (auto error = files_.back()->commit()) return error;
     placed_.insert(name);
+  }
+  return std::nullopt;
+}
+
+std::optional<Error> StagedImages::withdraw(const std::vector<std::string>& names) {
+  std::ofstream list(aside_ / kPlacing);
+  for (const std::string& name : names)
+    if (!isTaken(target_ / name)) list << name << '\n';
+  list.close();
+  if (!list) return Error{"cannot be written", (aside_ / kPlacing).string()};
+  for (const char* name : std::views::reverse(kReportFiles)) {
+    std::error_code code;
+    if (!fs::is_regular_file(fs::symlink_status(report_ / name, code))) continue;
+    fs::rename(report_ / name, aside_ / kPrevious / name, code);
+    if (code) return Error{"cannot be replaced: " + code.message(), (report_ / name).string()};
   }
   return std::nullopt;
 }
@@ -125,6 +119,8 @@ StagedImages::~StagedImages() {
   files_.clear();  // what was not kept goes back, so before the folder that holds it is removed
   std::error_code ignored;
   if (madeTarget_ && !kept_) fs::remove(target_, ignored);
+  if (!kept_)
+    for (const char* name : kReportFiles) fs::rename(aside_ / kPrevious / name, report_ / name, ignored);
   fs::remove_all(aside_, ignored);
 }
 

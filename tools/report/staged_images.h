@@ -16,11 +16,13 @@
 namespace rigel::tools {
 
 /// Owns the folder ".images.PID" in the report's directory, which the destructor removes. Pictures of an earlier report
-/// are replaced and removed; a file that its report.json does not name is never touched.
+/// are replaced and removed; a file that its report.json does not name is never touched. Where the program is killed,
+/// there is the earlier report, or none while its place is being taken, or the new one; the next begin() puts in order
+/// what was left (leftovers.h).
 ///
 ///     images->directory()     write pictures here
-///     images->putInPlace()    now they are in images/
-///     ...write the rest...    a failure here, and the destructor puts the earlier pictures back
+///     images->putInPlace()    the earlier report is withdrawn; now they are in images/
+///     ...write the rest...    a failure here, and the destructor puts the earlier report back
 ///     images->keep()          what only the earlier report had is removed
 class StagedImages {
  public:
@@ -38,6 +40,8 @@ class StagedImages {
  private:
   explicit StagedImages(const std::filesystem::path& report);
   std::optional<Error> check() const;
+  /// Takes the earlier report.html and report.json aside, and notes which of the pictures `names` will be new.
+  std::optional<Error> withdraw(const std::vector<std::string>& names);
 
   std::filesystem::path report_, target_, aside_;
   std::set<std::string> earlier_;  // names of the earlier report's pictures
