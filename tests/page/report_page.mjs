@@ -104,3 +104,5 @@ for (const view of everyView) {
     check(!poor.size, `too little contrast: ${[...poor].slice(0, 8).map((entry) => entry.join(' ')).join('; ')}`);
   }), {views: [view]});
 }
+
+pageTest('printed, nothing is cut off at the right', 'made-up', ({page}) => page.emulateMedia({media: 'print'}), {views: [{...laptop, width: 1060}]});
