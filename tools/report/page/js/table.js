@@ -2,20 +2,20 @@
 
 const columns = [
   {key: 'spec', title: 'Rig', get: (rig) => rig.spec},
-  {key: 'k', title: 'SH vectors', unit: 'K', get: (rig) => rig.sh_vectors, format: meanCount, hint: 'SH vectors evaluated at a point; a rig that chooses their number: mean over the frames'},
-  {key: 'near', title: 'Near lights', unit: 'a frame', get: (rig) => rig.near_lights, format: meanCount, hint: 'Lights evaluated exactly at every point, in part or in full: mean over the frames'},
-  {key: 's', title: 'Projections', unit: 'per light', get: (rig) => rig.projections, format: count, hint: 'SH projections of every light, each frame; a value with its gradient counts 4'},
-  {key: 'spatial', title: 'Spatial RMS', unit: '%', get: (rig) => rig.spatial.rms, format: (value) => figure(100 * value), bar: true, hint: 'Error the rig adds to SH projected at every point'},
-  {key: 'estimate', title: 'Estimate', unit: '%', get: (rig) => rig.estimate, format: (value) => value === null ? '–' : figure(100 * value), hint: 'What the rig itself, which does not know the truth, takes its spatial RMS for'},
-  {key: 'spatialMax', title: 'max', unit: '%', get: (rig) => rig.spatial.max, format: (value) => figure(100 * value)},
   {key: 'total', title: 'Total RMS', unit: '%', get: (rig) => rig.total.rms, format: (value) => figure(100 * value), bar: true, hint: 'Error against exact irradiance'},
   {key: 'totalMax', title: 'max', unit: '%', get: (rig) => rig.total.max, format: (value) => figure(100 * value)},
+  {key: 'spatial', title: 'Spatial RMS', unit: '%', get: (rig) => rig.spatial.rms, format: (value) => figure(100 * value), bar: true, hint: 'Error the rig adds to SH projected at every point'},
+  {key: 'spatialMax', title: 'max', unit: '%', get: (rig) => rig.spatial.max, format: (value) => figure(100 * value)},
+  {key: 'estimate', title: 'Estimate', unit: '%', get: (rig) => rig.estimate, format: (value) => value === null ? '–' : figure(100 * value), hint: 'What the rig itself, which does not know the truth, takes its spatial RMS for'},
   {key: 'jump', title: 'Max jump', unit: '%', get: (rig) => rig.max_jump, format: (value) => value === null ? '–' : figure(100 * value), motion: true, hint: 'Largest change of the error from one frame to the next'},
   {key: 'fit', title: 'Fit', unit: 'µs', get: (rig) => rig.fit_us, format: figure, explain: stageTimes, hint: 'Median over frames of all that has to be computed once a frame'},
   {key: 'shade', title: 'Shade', unit: 'ns/point', get: (rig) => rig.shade_ns_per_point, format: figure},
   {key: 'modelled', title: 'Modelled', unit: 'ns/point', get: (rig) => rig.modelled_ns_per_point, format: figure, hint: 'Shading a point by the cost model, which depends on no clock'},
   {key: 'bytes', title: 'Size', unit: 'bytes', get: (rig) => rig.bytes, format: count, hint: 'The float32 coefficients'},
   {key: 'half', title: 'Half floats add', unit: '%', get: (rig) => rig.half_float ? rig.half_float.rms : null, format: (value) => value === null ? '–' : figure(100 * value), device: true, hint: 'RMS of what coefficients in half floats would change, at half the size'},
+  {key: 'k', title: 'SH vectors', unit: 'K', get: (rig) => rig.sh_vectors, format: meanCount, hint: 'SH vectors evaluated at a point; a rig that chooses their number: mean over the frames'},
+  {key: 'near', title: 'Near lights', unit: 'a frame', get: (rig) => rig.near_lights, format: meanCount, hint: 'Lights evaluated exactly at every point, in part or in full: mean over the frames'},
+  {key: 's', title: 'Projections', unit: 'per light', get: (rig) => rig.projections, format: count, hint: 'SH projections of every light, each frame; a value with its gradient counts 4'},
   {key: 'condition', title: 'Condition', get: (rig) => rig.condition, format: figure, hint: 'Worst condition number of the fit; 1 where nothing is solved'},
 ];
 
