@@ -39,7 +39,7 @@ pageTest('columns sort by mouse and by keyboard', 'crowd', async ({page, data}) 
   await page.keyboard.press('Enter');
   assert.deepEqual(await names(), data.objects.map((object) => object.name).sort().reverse());
   assert.equal(await page.locator('.answers th[aria-sort="descending"]').count(), 1);
-}, {views: [laptop]});
+}, {views: [laptop, phone]});
 
 pageTest('the command line is copied', 'made-up', async ({page, data}) => {
   await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);

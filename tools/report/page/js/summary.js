@@ -1,5 +1,14 @@
 // The top of the page, which answers at a glance: which rig for each object, what it costs, what it loses, and why.
 
+/** On a telephone rows are drawn as cards, which takes the meaning of rows and cells from them unless it is said. */
+function setRoles(part) {
+  const roles = {TABLE: 'table', THEAD: 'rowgroup', TBODY: 'rowgroup', TR: 'row', TD: 'cell'};
+  for (const node of [part, ...part.querySelectorAll('*')]) {
+    const role = node.tagName === 'TH' ? (node.scope === 'row' ? 'rowheader' : 'columnheader') : roles[node.tagName];
+    if (role) node.setAttribute('role', role);
+  }
+}
+
 const kRoomy = 5;  // objects; more than that are listed densely
 
 const ofRig = (object, get) => (object.verdict ? get(object.rigs.find(({spec}) => spec === object.verdict.spec)) : null);
@@ -51,33 +60,45 @@ function whyAdvised(object) {
   return `Cheapest to shade within ${slack} of the least error, which ${best.spec} has: ${percent(best.total.rms)}.`;
 }
 
-function summary() {
+/** The table of answers: a row an object. */
+function answers() {
   const moving = report.objects.some(({truth}) => truth.length > 1);
   const shown = summaryColumns.filter(({key}) => key !== 'jump' || moving);
   const rows = report.objects.map((object, index) => ({object, index}));
+  const largest = Math.max(...rows.map((row) => ofRig(row.object, (rig) => rig.total.rms) ?? 0));
   const body = element('tbody');
   const {heads, sorted} = sortableHeads(shown, () => draw());
-  const largest = Math.max(...rows.map((row) => shown.find(({key}) => key === 'total').get(row) ?? 0));
-  const draw = () => body.replaceChildren(...sorted(rows).map((row) => element('tr', {class: row.object.verdict?.advised ? null : 'unadvised'}, ...shown.map((column) => {
-    if (column.draw) return column.draw(row);
-    const value = column.get(row);
-    const cell = element('td', {class: column.strong ? (rows.length > 1 ? 'strong barred' : 'strong') : null, 'data-label': `${column.title}, ${column.unit}`}, value === null ? '–' : column.format(value));
-    if (column.strong) cell.style.setProperty('--share', largest > 0 ? `${100 * (value ?? 0) / largest}%` : '0%');
-    return cell;
-  }))));
+  const draw = () => {
+    body.replaceChildren(...sorted(rows).map((row) => element('tr', {class: row.object.verdict?.advised ? null : 'unadvised'},
+      ...shown.map((column) => column.draw?.(row) ?? answerCell(column, row, rows.length > 1 ? largest : 0)))));
+    setRoles(body);
+  };
   draw();
   const span = (name) => shown.filter(({group}) => group === name).length;
   const groups = element('tr', {class: 'groups', 'aria-hidden': 'true'}, element('td', {colspan: 2}), ...['What it costs', 'What it loses'].map((name) => element('td', {colspan: span(name)}, name)), element('td'));
-  const command = element('code', {}, report.command);
+  const head = element('thead', {class: rows.length > 1 ? null : 'single'}, groups, element('tr', {}, ...heads));
+  const table = element('table', {class: rows.length > kRoomy ? 'answers dense' : 'answers'}, head, body);
+  setRoles(table);
+  return element('div', {class: 'scroller', tabindex: '0', role: 'region', 'aria-label': 'The rig to use for each object'}, table);
+}
+
+/** `largest` is what a bar of full length stands for; 0 where there is nothing to compare with. */
+function answerCell({title, unit, get, format, strong}, row, largest) {
+  const value = get(row);
+  const cell = element('td', {class: strong ? (largest > 0 ? 'strong barred' : 'strong') : null, 'data-label': `${title}, ${unit}`}, value === null ? '–' : format(value));
+  if (strong && largest > 0) cell.style.setProperty('--share', `${100 * (value ?? 0) / largest}%`);
+  return cell;
+}
+
+function summary() {
+  const scenes = [...new Set(report.scenes.map((scene) => sceneTitle(scene)))];
   return element('section', {class: 'summary', 'aria-labelledby': 'summary-title'},
     element('h1', {id: 'summary-title'}, report.objects.length === 1 ? 'Which rig to use' : 'Which rig to use for each object'),
     element('p', {class: 'facts'}, [
-      [...new Set(report.scenes.map((scene) => sceneTitle(scene)))].slice(0, 3).join('; ') + (report.scenes.length > 3 ? ` and ${report.scenes.length - 3} more` : ''),
+      scenes.slice(0, 3).join('; ') + (scenes.length > 3 ? ` and ${scenes.length - 3} more` : ''),
       plural(report.objects.length, 'object'), plural(specs.length, 'rig'), `${report.bands} SH bands`,
       report.rate === 30 ? null : `${figure(report.rate)} frames a second`, report.exposure === 1 ? null : `exposure ${figure(report.exposure)}`, `Rigel ${report.version}`,
     ].filter(Boolean).join(' · ')),
-    element('div', {class: 'card'},
-      element('div', {class: 'scroller', tabindex: '0', role: 'region', 'aria-label': 'The rig to use for each object'},
-        element('table', {class: rows.length > kRoomy ? 'answers dense' : 'answers'}, element('thead', {}, groups, element('tr', {}, ...heads)), body)),
-      element('div', {class: 'command'}, element('span', {class: 'choice-label'}, 'To repeat it'), command, copyButton(() => report.command))));
+    element('div', {class: 'card'}, answers(),
+      element('div', {class: 'command'}, element('span', {class: 'choice-label'}, 'To repeat it'), element('code', {}, report.command), copyButton(() => report.command))));
 }
