@@ -1,53 +1,204 @@
-// Pictures of a report: the wipe, frames, thumbnails.
-import {inPage, pageTest, reports} from './harness.mjs';
+// Pictures of a report: wipe, flicker, zoom, time, exposure, thumbnails, and the numbers under the cursor.
+import assert from 'node:assert/strict';
+import {existsSync} from 'node:fs';
+import path from 'node:path';
+import {inflateSync} from 'node:zlib';
+import {halfToNumber, readExr} from './exr.mjs';
+import {fileOf, pageTest, reports, settled} from './harness.mjs';
+
+/** The first object with pictures, on screen and drawn: {gallery, object, frames, section}. */
+async function openGallery(page, data) {
+  const index = data.objects.findIndex((object) => object.pictures.length);
+  if (index < 0) return null;
+  const section = page.locator('section.object').nth(index);
+  await section.evaluate((node) => {
+    for (let up = node; up; up = up.parentElement) if (up.tagName === 'DETAILS') up.open = true;
+  });
+  const gallery = section.locator('.gallery');
+  await gallery.locator('.compare').scrollIntoViewIfNeeded();
+  await drawn(gallery);
+  const frames = await page.evaluate((i) => JSON.parse(document.getElementById('picture-data').textContent).objects[i], index);
+  return {gallery, section, object: data.objects[index], frames};
+}
+
+/** Waits until the panes show what was asked for last. */
+async function drawn(gallery) {
+  await gallery.locator('.viewer[data-mode]').waitFor();
+  await settled(gallery.page());
+}
+
+const press = (gallery, group, label) => gallery.getByRole('group', {name: group, exact: true}).getByRole('button', {name: label, exact: true}).click();
+/** A number that changes with what a pane shows. */
+const sum = (pane) => pane.locator('canvas').evaluate((canvas) => {
+  const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d', {willReadFrequently: true});
+  copy.drawImage(canvas, 0, 0);
+  const {data} = copy.getImageData(0, 0, canvas.width, canvas.height);
+  return data.reduce((total, byte, i) => (total + (i % 251 + 1) * byte) % 2147483647, 0);
+});
+/** What is not unpacked yet is drawn later. */
+const changes = async (pane, act, what) => {
+  const before = await sum(pane);
+  await act();
+  for (let tries = 0; tries < 50; ++tries) {
+    await settled(pane.page());
+    if (await sum(pane) !== before) return;
+    await pane.page().waitForTimeout(100);
+  }
+  assert.fail(`${what}: the picture is the same`);
+};
 
 for (const name of reports) {
-  pageTest('the pictures of a report: wipe, frames, thumbnails', name, ({page}) => inPage(page, ({check, equal, all, press, pointer, button, data}) => {
-    const pictureData = JSON.parse(document.getElementById('picture-data').textContent);
-    const checkObject = (section, object) => {
-      const pictures = object.pictures.filter((picture) => picture.frame === object.pictures[0].frame);
-      const frames = new Set(object.pictures.map((picture) => picture.frame));
-      const stage = section.querySelector('.wipe .stage');
-      const range = section.querySelector('.wipe input');
-      const wipe = () => parseFloat(stage.style.getPropertyValue('--wipe'));
+  pageTest('pictures: wipe, zoom, false colours, frames, thumbnails', name, async ({page, data}) => {
+    const opened = await openGallery(page, data);
+    if (!opened) return;
+    const {gallery, section, object, frames} = opened;
+    const compare = gallery.locator('.compare .stage');
+    const wrong = gallery.locator('.wrong .stage');
+    const wipe = gallery.getByLabel('Wipe: how much');
+    const share = () => compare.evaluate((node) => parseFloat(node.style.getPropertyValue('--wipe')));
 
-      range.value = 20;
-      range.dispatchEvent(new Event('input'));
-      equal(wipe(), 20, 'slider');
-      press(range, 'ArrowRight');
-      equal(wipe(), 22, 'arrow right');
-      for (let i = 0; i < 20; ++i) press(range, 'ArrowLeft');
-      equal(wipe(), 0, 'arrow left stops at the edge');
-      const box = stage.getBoundingClientRect();
-      pointer(stage, 'pointerdown', box.left + 0.25 * box.width);
-      check(Math.abs(wipe() - 25) < 0.01, `press on the picture: ${wipe()}`);
-      pointer(document, 'pointermove', box.right + 50);
-      equal(wipe(), 100, 'drag beyond the picture');
-      pointer(document, 'pointerup', box.right + 50);
-      pointer(document, 'pointermove', box.left);
-      equal(wipe(), 100, 'no drag after the release');
+    // Wipe: slider, drag, and a drag that leaves the picture.
+    await wipe.fill('20');
+    assert.equal(await share(), 20, 'slider');
+    await wipe.press('ArrowRight');
+    assert.equal(await share(), 21, 'arrow right');
+    const box = await compare.boundingBox();
+    await page.mouse.move(box.x + 0.75 * box.width, box.y + box.height / 2);
+    await page.mouse.down();
+    assert.ok(Math.abs(await share() - 75) < 1, `press on the picture: ${await share()}`);
+    await page.mouse.move(box.x + box.width + 60, box.y + box.height / 2);
+    assert.equal(await share(), 100, 'drag beyond the picture');
+    await page.mouse.up();
+    await page.mouse.move(box.x + 10, box.y + box.height / 2);
+    assert.equal(await share(), 100, 'no drag after the release');
+    await wipe.fill('50');
 
-      equal(all(section, '.thumbnail').length, pictures.length, 'thumbnails');
-      check(all(section, 'img').every((image) => image.src.startsWith('data:image/png;base64,')), 'a picture is not embedded');
-      const rig = pictures[1];
-      all(section, 'button.thumbnail')[0].click();
-      equal(section.querySelector('.tag.left').textContent, rig.label, 'thumbnail chooses its rig');
-      equal(button(section, 'Rig', rig.label).getAttribute('aria-pressed'), 'true', 'rig button follows');
-      equal(section.querySelector('tr.chosen .pick')?.textContent, rig.label, 'table follows');
-      equal(all(section, '[aria-label="Frame"] button').length, frames.size > 1 ? frames.size : 0, 'frame buttons');
-      if (frames.size > 1) {
-        all(section, '[aria-label="Frame"] button')[1].click();
-        const second = object.pictures.findIndex((picture) => picture.frame !== object.pictures[0].frame);
-        equal(all(section, '.stage img')[0].src, pictureData.objects[data.objects.indexOf(object)][second].image, 'truth of the second frame');
+    // What is shown.
+    await changes(compare, () => press(gallery, 'Picture', 'Clay'), 'clay');
+    await changes(compare, () => press(gallery, 'Picture', 'False colour'), 'false colours of irradiance');
+    await press(gallery, 'Picture', 'Shaded');
+    await changes(compare, () => gallery.getByLabel('Exposure').fill('2'), 'exposure');
+    await gallery.getByLabel('Exposure').dblclick();
+    await changes(wrong, () => press(gallery, 'Error', 'Absolute'), 'absolute error');
+    await changes(wrong, () => gallery.getByLabel('Scale', {exact: true}).press('ArrowRight'), 'scale');
+    await press(gallery, 'Unit', 'W/m²');
+    assert.match(await gallery.locator('.wrong .ticks').textContent(), /W\/m²/, 'legend in W/m²');
+
+    // One magnifying glass over all panes.
+    for (const [how, act] of [['button', () => gallery.getByRole('button', {name: 'Zoom in'}).click()], ['key', () => compare.press('+')],
+      ['wheel', async () => {
+        await page.waitForTimeout(500);  // the wheel scrolls the page while the page is scrolling
+        await compare.hover();
+        await page.mouse.wheel(0, -200);
+      }]]) {
+      const before = await sum(compare);
+      await changes(wrong, act, `zoom by ${how}`);
+      assert.notEqual(await sum(compare), before, `zoom by ${how}: the panes are not linked`);
+    }
+    assert.notEqual(await gallery.locator('.zoom-level').textContent(), '1×');
+    await gallery.getByRole('button', {name: 'Show the whole picture'}).click();
+    assert.equal(await gallery.locator('.zoom-level').textContent(), '1×');
+
+    // Side by side, and in turn.
+    await press(gallery, 'Compare', 'Side by side');
+    assert.ok(await gallery.locator('.second .stage').isVisible(), 'truth beside the rig');
+    await press(gallery, 'Compare', 'Flicker');
+    await gallery.getByRole('button', {name: 'Hold'}).click();
+    await changes(compare, () => gallery.getByRole('button', {name: 'Swap'}).click(), 'swap');
+    await press(gallery, 'Compare', 'Wipe');
+
+    // Frames.
+    assert.equal(await gallery.locator('.player').count(), frames.length > 1 ? 1 : 0, 'a slider where there is something to slide');
+    if (frames.length > 1) {
+      await changes(compare, () => gallery.getByLabel('Frame', {exact: true}).fill('0'), 'first frame');
+      await settled(page);
+      assert.match(await gallery.locator('.time').textContent(), new RegExp(`frame ${frames[0].frame}$`));
+      await gallery.getByRole('button', {name: '▶ Play'}).click();
+      await page.waitForFunction((node) => !node.textContent.endsWith('frame 0'), await gallery.locator('.time').elementHandle());
+      await gallery.getByRole('button', {name: 'Pause'}).click();
+      await gallery.getByRole('button', {name: 'Full picture'}).click();
+      assert.match(await gallery.locator('.time').textContent(), new RegExp(`frame ${frames.find((frame) => frame.exact).frame}$`));
+    }
+
+    // Thumbnails choose, and all that shows the rig follows.
+    const thumbnails = gallery.locator('.thumbnail');
+    assert.equal(await thumbnails.count(), object.rigs.length + 1, 'thumbnails');
+    await gallery.locator('button.thumbnail').first().click();
+    await settled(page);
+    assert.equal(await compare.locator('.tag.left').textContent(), object.rigs[0].spec);
+    assert.equal(await gallery.getByRole('group', {name: 'Rig', exact: true}).getByRole('button', {pressed: true}).textContent(), object.rigs[0].spec);
+    await changes(thumbnails.nth(1), async () => {
+      await press(gallery, 'Show', 'Differences');
+      await page.waitForTimeout(200);
+    }, 'differences as thumbnails');
+    assert.equal(await section.locator('img').count(), 0, 'pictures are drawn, not loaded');
+  });
+
+  pageTest('pictures: values under the cursor are the stored numbers', name, async ({page, data}) => {
+    const opened = await openGallery(page, data);
+    if (!opened) return;
+    const {gallery, object, frames} = opened;
+    const frame = frames.find(({exact}) => exact);
+    const compare = gallery.locator('.compare .stage');
+    const spec = await compare.locator('.tag.left').textContent();
+    const folder = path.dirname(fileOf(name));
+    const fileNamed = (label) => path.join(folder, object.pictures.find((picture) => picture.frame === frame.frame && picture.label === label).image_exr);
+    const files = existsSync(fileNamed(spec)) ? {rig: readExr(fileNamed(spec)).channels, truth: readExr(fileNamed('truth')).channels} : null;
+    const share = inflateSync(Buffer.from(frame.coverage, 'base64')).subarray(0, frame.width * frame.height);
+
+    const box = await compare.boundingBox();
+    let onObject = 0;
+    for (const [u, v] of [[0.5, 0.5], [0.37, 0.55], [0.62, 0.41], [0.55, 0.7], [0.02, 0.02], [0.45, 0.62]]) {
+      await page.mouse.move(box.x + u * box.width, box.y + v * box.height);
+      await settled(page);
+      const caption = await gallery.locator('.values caption').textContent();
+      const [x, y] = caption.match(/\d+/g).map(Number);
+      assert.ok(Math.abs(x + 0.5 - u * frame.width) <= 1 && Math.abs(y + 0.5 - v * frame.height) <= 1, caption);
+      const at = y * frame.width + x;
+      assert.equal(caption.includes('not on the object'), share[at] === 0, caption);
+      if (!share[at]) continue;
+      ++onObject;
+      const rows = await gallery.locator('.values tbody tr').evaluateAll((all) => all.map((row) => [...row.querySelectorAll('td[data-value]')].map((cell) => [Number(cell.dataset.value), cell.textContent])));
+      for (let c = 0; c < 3; ++c) {
+        const [[own, ownText], [truth], [difference], [relative]] = rows.map((row) => row[c]);
+        if (files) {
+          assert.equal(own, files.rig[`irradiance.${'RGB'[c]}`][at], 'rig');
+          assert.equal(truth, files.truth[`irradiance.${'RGB'[c]}`][at], 'truth');
+        }
+        assert.equal(difference, own - truth, 'difference');
+        assert.equal(relative, difference / object.mean_irradiance, 'relative');
+        assert.ok(Math.abs(Number(ownText) - own) <= 5e-5 * own, `five digits of ${own}: ${ownText}`);
+        assert.ok(Array.from({length: 0x7c00}, (_, bits) => halfToNumber(bits) * frame.scale).includes(own), `${own} is no half float`);
       }
-      button(section, 'Show', 'Differences').click();
-      equal(all(section, 'button.thumbnail img')[0].src, section.querySelector('.heat img').src, 'differences as thumbnails');
-    };
+    }
+    assert.ok(onObject > 1, 'hardly anything was read');
 
-    const sections = all(document, 'section.object');
-    equal(sections.length, data.objects.length, 'sections');
-    data.objects.forEach((object, i) => {
-      if (object.pictures.length) checkObject(sections[i], object);
-    });
-  }));
+    // By keyboard: a pixel a step.
+    await compare.focus();
+    await page.mouse.move(box.x + 0.5 * box.width, box.y + 0.5 * box.height);
+    const column = async () => Number((await gallery.locator('.values caption').textContent()).match(/\d+/)[0]);
+    await settled(page);
+    const before = await column();
+    await compare.press('ArrowRight');
+    assert.equal(await column(), before + 1, 'arrow right');
+    await compare.press('Shift+ArrowLeft');
+    assert.equal(await column(), before - 9, 'shift and arrow left');
+    await compare.press('Escape');
+    assert.match(await gallery.locator('.values caption').textContent(), /Point at/);
+  });
 }
+
+pageTest('pictures: flicker waits where motion is to be reduced', reports[0], async ({page, data}) => {
+  const opened = await openGallery(page, data);
+  if (!opened) return;
+  const {gallery} = opened;
+  await press(gallery, 'Compare', 'Flicker');
+  assert.ok(await gallery.getByRole('button', {name: '▶ Run'}).isVisible(), 'held from the start');
+}, {reducedMotion: 'reduce'});
+
+pageTest('pictures: a browser without DecompressionStream says so', reports[0], async ({page, data}) => {
+  if (!data.objects.some((object) => object.pictures.length)) return;
+  await page.addInitScript(() => { delete globalThis.DecompressionStream; });
+  await page.reload();
+  assert.match(await page.locator('.gallery').first().textContent(), /cannot unpack/);
+});

@@ -47,6 +47,22 @@ std::vector<Rgb8> decodePng(const std::vector<std::uint8_t>& bytes, int& width, 
   return pixels;
 }
 
+TEST_F(ImageIo, LayersStandBesideThePicture) {
+  const Image image = makeImage(37, 23);
+  Image other = image;
+  for (float& v : other.rgb) v += 1;
+  const ExrLayer layer{"irradiance", &other};
+  ASSERT_TRUE(writeExr(image, std::span(&layer, 1), directory_ / "a.exr", ExrDepth::full));
+  const auto picture = readExr(directory_ / "a.exr"), beside = readExrLayer(directory_ / "a.exr", "irradiance");
+  ASSERT_TRUE(picture && beside);
+  EXPECT_EQ(picture->rgb, image.rgb);
+  EXPECT_EQ(beside->rgb, other.rgb);
+  EXPECT_EQ(beside->coverage, image.coverage);
+  const auto missing = readExrLayer(directory_ / "a.exr", "albedo");
+  ASSERT_FALSE(missing);
+  EXPECT_THAT(missing.error().message, ::testing::HasSubstr("albedo.R"));
+}
+
 TEST_F(ImageIo, FullExrKeepsEveryBit) {
   const Image image = makeImage(37, 23);
   const auto written = writeExr(image, directory_ / "a.exr", ExrDepth::full);

@@ -2,13 +2,11 @@
 
 #include "view_fixture.h"
 
-#include "picture/heat_map.h"
-#include "picture/image_io.h"
+#include "report/pixel_packing.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <cstdlib>
+#include <iterator>
 
 namespace rigel::tests {
 namespace {
@@ -34,48 +32,71 @@ constexpr MadeUpRig kRigs[] = {
     {"poly:12", 12, 24, 0.047, 0.0815, 22.3, 21.9},       {"auto", 5.5, 24, 0.041, 0.0611, 48.0, 43.5, 1.3},
 };
 
-constexpr double kHeatMapMax = 0.5;
-
-std::vector<std::uint8_t> png(const tools::Image8& image) {
-  auto bytes = tools::encodePng(image);
-  if (!bytes) std::abort();
-  return *std::move(bytes);
-}
-
 double wave(double time, double phase) { return 0.5 + 0.5 * std::sin(3.1 * time + phase); }
 
-/// A ball under a lamp that passes with time; `softness` blurs its light as a poor rig would.
-Picture picture(const std::string& label, int frame, double time, double rms) {
-  constexpr int kWidth = 240, kHeight = 160;
+constexpr float kHeatScale = 0.5f;
+constexpr double kMeanIrradiance = 3.71;
+
+/// Pictures of one moment as the program takes them.
+struct Moment {
+  std::vector<Picture> files;
+  tools::PixelFrame pixels;
+};
+
+/// A ball under a lamp that passes with time, on a dim floor; `softness` blurs its light as a poor rig would.
+Moment moment(int frame, double time, bool full) {
+  const int width = full ? 240 : 80, height = full ? 160 : 53;
   const auto light = [&](double x, double y, double softness) {
     const double z = std::sqrt(std::max(0.0, 1 - x * x - y * y));
     const double lx = std::cos(1.4 * time), ly = -0.6, lz = 0.5;
-    return std::max(0.0, (x * lx + y * ly + z * lz) / 1.27 * (1 - softness) + 0.4 * softness);
+    return 9 * std::max(0.0, (x * lx + y * ly + z * lz) / 1.27 * (1 - softness) + 0.4 * softness);
   };
-  tools::Image8 image(kWidth, kHeight, {24, 24, 24}), error(kWidth, kHeight, {112, 112, 112});
-  const auto display = [](double linear) {
-    return static_cast<std::uint8_t>(255 * std::pow(std::min(1.0, linear), 1 / 2.2));
-  };
-  for (int row = 0; row < kHeight; ++row) {
-    for (int column = 0; column < kWidth; ++column) {
-      const double x = (column - kWidth / 2.0) / 70, y = (row - kHeight / 2.0) / 70;
-      if (x * x + y * y > 1) continue;
-      const double exact = light(x, y, 0), shown = light(x, y, 2 * rms);
-      image.at(column, row) = {display(shown), display(0.85 * shown), display(0.62 * shown)};
-      error.at(column, row) = tools::heatColour(static_cast<float>(std::abs(shown - exact) / kHeatMapMax));
+  tools::Image reflectance(width, height), surroundings(width, height), truth(width, height);
+  std::vector<tools::Image> rigs(std::size(kRigs), truth);
+  for (int row = 0; row < height; ++row) {
+    for (int column = 0; column < width; ++column) {
+      const auto i = static_cast<std::size_t>(row * width + column);
+      const double x = (column + 0.5 - width / 2.0) * 3.4 / width, y = (row + 0.5 - height / 2.0) * 2.3 / height;
+      const bool onBall = x * x + y * y <= 1, onFloor = y > 0.7;
+      const auto set = [i](tools::Image& image, double value) {
+        for (std::size_t c = 0; c < 3; ++c)
+          image.rgb[3 * i + c] = tools::roundedToHalf(static_cast<float>(value * (1 - 0.15 * static_cast<double>(c))));
+      };
+      if (onBall) {
+        truth.coverage[i] = 1;
+        set(reflectance, 0.2);
+        set(truth, light(x, y, 0));
+        for (std::size_t r = 0; r < rigs.size(); ++r) set(rigs[r], light(x, y, 2 * kRigs[r].total));
+      } else if (onFloor) {
+        set(surroundings, 0.1);
+      }
+      surroundings.coverage[i] = onBall || onFloor ? 1 : 0;
     }
   }
-  Picture result;
-  result.label = label;
-  result.frame = frame;
-  result.time = time;
-  result.rms = rms;
-  result.imagePng = "images/" + std::to_string(frame) + "-" + std::to_string(label.size()) + ".png";
-  result.imageBytes = png(image);
-  if (label != "truth") {
-    result.errorPng = "images/error-" + std::to_string(frame) + ".png";
-    result.heatMapMax = kHeatMapMax;
-    result.errorBytes = png(error);
+  Moment result;
+  result.pixels = tools::packFrame({reflectance, surroundings, truth, rigs}, 1, full ? 0 : 3);
+  result.pixels.frame = frame;
+  result.pixels.time = time;
+  result.pixels.exposure = 0.45f;
+  result.pixels.heatScale = kHeatScale;
+  for (std::size_t r = 0; r < rigs.size(); ++r) result.pixels.rigs[r].rms = kRigs[r].total;
+  if (!full) return result;
+  const auto file = [&](const char* label) -> Picture& {
+    Picture& picture = result.files.emplace_back();
+    picture.label = label;
+    picture.frame = frame;
+    picture.time = time;
+    const std::string stem = "images/" + std::to_string(frame) + "-" + std::to_string(result.files.size());
+    picture.imagePng = stem + ".png";
+    picture.imageExr = stem + ".exr";
+    return picture;
+  };
+  file("truth");
+  for (const MadeUpRig& made : kRigs) {
+    Picture& picture = file(made.spec);
+    picture.errorPng = "images/error-" + std::to_string(result.files.size()) + ".png";
+    picture.heatMapMax = static_cast<double>(kHeatScale);
+    picture.rms = made.total;
   }
   return result;
 }
@@ -167,7 +188,7 @@ ObjectReport object(const std::string& name, int frames, double scale, const std
   result.name = name;
   result.triangles = 18432;
   result.samples = 4096;
-  result.meanIrradiance = 3.71;
+  result.meanIrradiance = kMeanIrradiance;
   for (int i = 0; i < frames; ++i) {
     const double time = i / 30.0;
     result.truth.push_back({time, 2 + 3 * wave(time, 0), {}});
@@ -211,10 +232,11 @@ ObjectReport object(const std::string& name, int frames, double scale, const std
     }
     result.rigs.push_back(rig);
   }
-  for (const int frame : {0, 30}) {
+  for (const int frame : {0, 10, 20, 30, 40, 50, 60}) {
     if (frame >= frames) continue;
-    result.pictures.push_back(picture("truth", frame, frame / 30.0, 0));
-    for (const MadeUpRig& made : kRigs) result.pictures.push_back(picture(made.spec, frame, frame / 30.0, made.total));
+    Moment taken = moment(frame, frame / 30.0, frame == 30 || frames == 1);
+    std::ranges::move(taken.files, std::back_inserter(result.pictures));
+    result.pixels.push_back(std::move(taken.pixels));
   }
   return result;
 }
@@ -285,6 +307,7 @@ Report crowdReport() {
     scene.objects.push_back(scene.objects.front());
     scene.objects.back().name = name;
     scene.objects.back().pictures.clear();
+    scene.objects.back().pixels.clear();
   }
   for (const char* spec : {"auto", "poly:6"}) {
     scene.budgets.push_back({spec, 2500, spec[0] == 'a' ? std::optional(0.03) : std::nullopt, 2411.5, 2688, 4});
@@ -305,6 +328,7 @@ Report smallestReport() {
   SceneReport& scene = report.scenes.front();
   scene.effects.clear();
   scene.objects.front().pictures.clear();
+  scene.objects.front().pixels.clear();
   scene.objects.front().rigs.resize(1);
   RigReport& rig = scene.objects.front().rigs.front();
   rig.parts.reset();

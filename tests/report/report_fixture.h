@@ -5,7 +5,7 @@
 
 namespace rigel::tests {
 
-/// A moving car (two seconds, pictures of two frames) and a still figure in a second scene, eight rigs each.
+/// A moving car (two seconds, pictures of seven frames, the fourth in full) and a still figure in a second scene, eight rigs each.
 tools::Report madeUpReport();
 
 /// Three cars that share a frame's time under two kinds of rig; the third gives nothing up.

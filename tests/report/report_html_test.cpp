@@ -74,23 +74,33 @@ TEST(ReportHtml, NeedsNothingButItself) {
   }
 }
 
-TEST(ReportHtml, EmbedsEveryPictureOnce) {
+TEST(ReportHtml, EmbedsTheNumbersOfEveryPicture) {
   const tools::Report report = madeUpReport();
   const std::string html = page(report);
-  std::size_t pictures = 0, bytes = 0;
+  EXPECT_EQ(occurrences(html, "data:image"), 0u) << "the page draws its pictures itself";
+  const auto json = nlohmann::json::parse(scriptBlock(html, "picture-data"))["objects"];
+  std::size_t objects = 0, frames = 0, rigs = 0, bytes = 0;
   for (const tools::SceneReport& scene : report.scenes) {
     for (const tools::ObjectReport& object : scene.objects) {
-      for (const tools::Picture& picture : object.pictures) {
-        for (const auto* png : {&picture.imageBytes, &picture.errorBytes}) {
-          pictures += png->empty() ? 0u : 1u;
-          bytes += png->size();
-          EXPECT_THAT(html, HasSubstr(tools::base64(*png)));
-        }
+      const auto& written = json.at(objects++);
+      ASSERT_EQ(written.size(), object.pixels.size());
+      for (std::size_t f = 0; f < object.pixels.size(); ++f) {
+        const tools::PixelFrame& frame = object.pixels[f];
+        EXPECT_EQ(written[f]["frame"], frame.frame);
+        EXPECT_EQ(written[f]["exact"], frame.exact);
+        EXPECT_EQ(written[f]["coverage"], tools::base64(frame.coverage));
+        EXPECT_EQ(written[f]["reflectance"], tools::base64(frame.reflectance));
+        EXPECT_EQ(written[f]["surroundings"], tools::base64(frame.surroundings));
+        EXPECT_EQ(written[f]["truth"], tools::base64(frame.truth));
+        for (std::size_t r = 0; r < frame.rigs.size(); ++r, ++rigs)
+          EXPECT_EQ(written[f]["rigs"].at(r)["irradiance"], tools::base64(frame.rigs[r].irradiance));
+        ++frames;
+        bytes += frame.bytes();
       }
     }
   }
-  ASSERT_EQ(pictures, 3u * 17u);  // truth, eight rigs and their differences: two frames and a still
-  EXPECT_EQ(occurrences(html, "data:image/png;base64,"), pictures);
+  EXPECT_EQ(frames, 8u);
+  EXPECT_EQ(rigs, 8u * 8u);
   std::size_t libraries = 0;
   for (const tools::PageFile& file : tools::pageFiles())
     libraries += file.name == "charts.js" ? file.content.size() : 0;

@@ -108,7 +108,7 @@ TEST(ReportJson, LeavesOutWhatWasNotWritten) {
   EXPECT_EQ(truth["label"], "truth");
   EXPECT_TRUE(truth.contains("image_png"));
   EXPECT_FALSE(truth.contains("error_png"));
-  EXPECT_FALSE(truth.contains("image_exr"));
+  EXPECT_FALSE(truth.contains("error_exr"));
   EXPECT_FALSE(truth.contains("heat_map_max"));
   EXPECT_EQ(json["objects"][0]["pictures"][1]["heat_map_max"], 0.5);
 }

@@ -12,9 +12,12 @@
 #include <half.h>
 #include <png.h>
 
+#include <cassert>
 #include <cerrno>
 #include <cstdio>
+#include <deque>
 #include <stdexcept>
+#include <string>
 #include <system_error>
 
 namespace rigel::tools {
@@ -25,29 +28,35 @@ constexpr std::int64_t kMaxSide = 1 << 16, kMaxPixels = 1 << 26;
 
 constexpr const char* kChannels[4] = {"R", "G", "B", "A"};
 
-/// R, G, B, A interleaved.
+/// One channel, converted.
 template <class T>
-std::vector<T> interleave(const Image& image) {
-  std::vector<T> out(4 * image.pixelCount());
-  for (std::size_t i = 0; i < image.pixelCount(); ++i) {
-    for (std::size_t c = 0; c < 3; ++c) out[4 * i + c] = T(image.rgb[3 * i + c]);
-    out[4 * i + 3] = T(image.coverage[i]);
-  }
+std::vector<T> channelOf(const std::vector<float>& values, std::size_t first, std::size_t stride) {
+  std::vector<T> out;
+  out.reserve(values.size() / stride);
+  for (std::size_t i = first; i < values.size(); i += stride) out.push_back(T(values[i]));
   return out;
 }
 
 /// The file as it will lie on the disk. OpenEXR writes its last bytes in a destructor, which tells nobody that the disk
 /// was full: so it writes to memory.
 template <class T>
-std::string encodeExrAs(const Image& image, Imf::PixelType type) {
-  std::vector<T> data = interleave<T>(image);
+std::string encodeExrAs(const Image& image, std::span<const ExrLayer> layers, Imf::PixelType type) {
   Imf::Header header(image.width, image.height);
   header.compression() = Imf::ZIP_COMPRESSION;
   Imf::FrameBuffer frame;
-  for (std::size_t c = 0; c < 4; ++c) {
-    header.channels().insert(kChannels[c], Imf::Channel(type));
-    frame.insert(kChannels[c], Imf::Slice(type, reinterpret_cast<char*>(data.data() + c), 4 * sizeof(T),
-                                          4 * sizeof(T) * static_cast<std::size_t>(image.width)));
+  std::deque<std::vector<T>> channels;  // which stay where they are
+  const auto add = [&](const std::string& name, std::vector<T> values) {
+    channels.push_back(std::move(values));
+    header.channels().insert(name, Imf::Channel(type));
+    frame.insert(name, Imf::Slice(type, reinterpret_cast<char*>(channels.back().data()), sizeof(T),
+                                  sizeof(T) * static_cast<std::size_t>(image.width)));
+  };
+  for (std::size_t c = 0; c < 3; ++c) add(kChannels[c], channelOf<T>(image.rgb, c, 3));
+  add(kChannels[3], channelOf<T>(image.coverage, 0, 1));
+  for (const ExrLayer& layer : layers) {
+    assert(layer.image->width == image.width && layer.image->height == image.height);
+    for (std::size_t c = 0; c < 3; ++c)
+      add(std::string(layer.name) + "." + kChannels[c], channelOf<T>(layer.image->rgb, c, 3));
   }
   Imf::StdOSStream bytes;
   {
@@ -77,20 +86,28 @@ Result<std::vector<std::uint8_t>> pngFailure(const png_image& png) {
 }  // namespace
 
 Result<std::size_t> writeExr(const Image& image, const std::filesystem::path& file, ExrDepth depth) {
+  return writeExr(image, {}, file, depth);
+}
+
+Result<std::size_t> writeExr(const Image& image, std::span<const ExrLayer> layers, const std::filesystem::path& file,
+                             ExrDepth depth) {
   return replaceFile(file, [&](const std::filesystem::path& aside) {
-    const std::string bytes =
-        depth == ExrDepth::half ? encodeExrAs<half>(image, Imf::HALF) : encodeExrAs<float>(image, Imf::FLOAT);
+    const std::string bytes = depth == ExrDepth::half ? encodeExrAs<half>(image, layers, Imf::HALF)
+                                                      : encodeExrAs<float>(image, layers, Imf::FLOAT);
     writeBytes(aside, bytes.data(), bytes.size());
   });
 }
 
-Result<Image> readExr(const std::filesystem::path& file) {
+Result<Image> readExr(const std::filesystem::path& file) { return readExrLayer(file, ""); }
+
+Result<Image> readExrLayer(const std::filesystem::path& file, std::string_view layer) {
+  const std::string prefix = layer.empty() ? "" : std::string(layer) + ".";
   try {
     Imf::InputFile in(file.string().c_str());
     const Imath::Box2i window = in.header().dataWindow();
-    for (const char* name : {"R", "G", "B"}) {
-      if (!in.header().channels().findChannel(name)) {
-        return Error{std::string("has no channel ") + name, file.string()};
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (!in.header().channels().findChannel(prefix + kChannels[c])) {
+        return Error{"has no channel " + prefix + kChannels[c], file.string()};
       }
     }
     const std::int64_t columns = std::int64_t{window.max.x} - window.min.x + 1;
@@ -101,8 +118,8 @@ Result<Image> readExr(const std::filesystem::path& file) {
     const auto width = static_cast<std::size_t>(image.width);
     Imf::FrameBuffer frame;
     for (std::size_t c = 0; c < 3; ++c) {
-      frame.insert(kChannels[c], Imf::Slice::Make(Imf::FLOAT, image.rgb.data() + c, window, 3 * sizeof(float),
-                                                  3 * sizeof(float) * width));
+      frame.insert(prefix + kChannels[c], Imf::Slice::Make(Imf::FLOAT, image.rgb.data() + c, window, 3 * sizeof(float),
+                                                           3 * sizeof(float) * width));
     }
     frame.insert("A", Imf::Slice::Make(Imf::FLOAT, image.coverage.data(), window, sizeof(float), sizeof(float) * width,
                                        1, 1, 1.0));

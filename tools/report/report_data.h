@@ -3,6 +3,7 @@
 #pragma once
 
 #include "report/error_breakdown.h"
+#include "report/pixel_frame.h"
 
 #include <rigel/object_lighting.h>
 
@@ -115,7 +116,7 @@ struct TruthFrame {
   std::optional<double> movement;  // relative to the run's mean
 };
 
-/// One picture of the gallery: PNG files relative to the report directory, plus the bytes for embedding.
+/// One picture in files, relative to the report's directory.
 struct Picture {
   std::string label;  // "truth", or a rig spec
   double time = 0;
@@ -123,8 +124,7 @@ struct Picture {
   std::string imagePng, imageExr;  // "" where not written
   std::string errorPng, errorExr;  // heat map; "" for the truth
   double heatMapMax = 0;           // relative error at the top of the heat map's scale
-  double rms = 0;                  // of the picture's covered pixels, relative to their mean exact irradiance
-  std::vector<std::uint8_t> imageBytes, errorBytes;  // the PNG files' content
+  double rms = 0;                  // over the object's pixels, relative to the mean irradiance of the run
 };
 
 struct ObjectReport {
@@ -134,7 +134,8 @@ struct ObjectReport {
   double meanIrradiance = 0;  // the denominator of all relative errors
   std::vector<TruthFrame> truth;
   std::vector<RigReport> rigs;
-  std::vector<Picture> pictures;  // all of one frame together: truth first
+  std::vector<Picture> pictures;   // all of one frame together: truth first
+  std::vector<PixelFrame> pixels;  // for the page, in the order of time
   std::string view3d;             // for the page (view3d_json.h); "" without one
 };
 

@@ -8,12 +8,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace rigel::tools {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string dataUri(const std::vector<std::uint8_t>& png) { return "data:image/png;base64," + base64(png); }
 
 /// The heat map's colours from no error to the top of its scale, as a style sheet writes them.
 Json heatMapColors() {
@@ -26,19 +26,35 @@ Json heatMapColors() {
   return colors;
 }
 
-/// The pictures as data URIs, in the order of the document's objects and their pictures.
+Json pixelFrame(const PixelFrame& frame) {
+  Json rigs = Json::array();
+  for (const PixelFrame::Rig& rig : frame.rigs)
+    rigs.push_back({{"rms", rig.rms}, {"irradiance", base64(rig.irradiance)}});
+  return {{"frame", frame.frame},
+          {"time", frame.time},
+          {"width", frame.width},
+          {"height", frame.height},
+          {"exact", frame.exact},
+          {"dropped", frame.dropped},
+          {"surroundings_dropped", std::max(frame.dropped, kSurroundingsDropped)},
+          {"scale", frame.scale},
+          {"exposure", frame.exposure},
+          {"heat_scale", frame.heatScale},
+          {"coverage", base64(frame.coverage)},
+          {"reflectance", base64(frame.reflectance)},
+          {"surroundings", base64(frame.surroundings)},
+          {"truth", base64(frame.truth)},
+          {"rigs", std::move(rigs)}};
+}
+
+/// The frames of each object, in the order of the document's objects and of their rigs.
 Json embeddedPictures(const Report& report) {
   Json objects = Json::array();
   for (const SceneReport& scene : report.scenes) {
     for (const ObjectReport& object : scene.objects) {
-      Json pictures = Json::array();
-      for (const Picture& picture : object.pictures) {
-        Json entry = Json::object();
-        if (!picture.imageBytes.empty()) entry["image"] = dataUri(picture.imageBytes);
-        if (!picture.errorBytes.empty()) entry["error"] = dataUri(picture.errorBytes);
-        pictures.push_back(std::move(entry));
-      }
-      objects.push_back(std::move(pictures));
+      Json frames = Json::array();
+      for (const PixelFrame& frame : object.pixels) frames.push_back(pixelFrame(frame));
+      objects.push_back(std::move(frames));
     }
   }
   return objects;

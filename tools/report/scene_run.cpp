@@ -5,10 +5,10 @@
 #include "report/disk_words.h"
 #include "report/effects.h"
 #include "report/frame_budget.h"
-#include "report/gallery.h"
 #include "report/loaded_scene.h"
 #include "report/object_run.h"
 #include "report/picture_names.h"
+#include "report/picture_plan.h"
 #include "report/view3d_run.h"
 
 #include <algorithm>
@@ -16,6 +16,12 @@
 
 namespace rigel::tools {
 namespace {
+
+/// Where the pictures of a clip go, and how much of the page those of one object may take.
+struct PictureSeriesPlace {
+  GalleryFiles files;
+  std::size_t bytesAnObject = 0;
+};
 
 /// `measure` takes one clip of a scene.
 class SceneRun {
@@ -25,8 +31,8 @@ class SceneRun {
   SceneRun(const RunOptions& options, const LoadedScene& scene, std::size_t timelines)
       : options_(options), scene_(scene), timelines_(timelines) {}
 
-  Result<SceneReport> measure(const Timeline& timeline, const std::filesystem::path& imageDirectory,
-                              const std::string& pictureNames, const Progress& progress) const {
+  Result<SceneReport> measure(const Timeline& timeline, const PictureSeriesPlace& pictures,
+                              const Progress& progress) const {
     const auto start = std::chrono::steady_clock::now();
     auto runs = createObjectRuns(timeline);
     if (!runs) return runs.error();
@@ -69,8 +75,7 @@ class SceneRun {
     report.effects = effectsOf(stage.lights().set, wraps, options_.rigs, report.objects);
 
     if (options_.images) {
-      if (auto error = takePictures(timeline, stage, *runs, {imageDirectory, pictureNames}, report, progress))
-        return *error;
+      if (auto error = takeAllPictures(timeline, stage, *runs, pictures, report, progress)) return *error;
       addViews(scene_, timeline, stage, *runs, options_, shareOf(ViewBudget{}, timelines_), report);
     }
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -132,25 +137,19 @@ class SceneRun {
     return out;
   }
 
-  /// The worst frame of each object; the middle one too where there are few objects.
-  std::optional<Error> takePictures(const Timeline& timeline, Stage& stage, std::vector<ObjectRun>& runs,
-                                    const GalleryFiles& files, SceneReport& report, const Progress& progress) const {
-    constexpr std::size_t kFewObjects = 3;
+  std::optional<Error> takeAllPictures(const Timeline& timeline, Stage& stage, const std::vector<ObjectRun>& runs,
+                                       const PictureSeriesPlace& pictures, SceneReport& report,
+                                       const Progress& progress) const {
     for (std::size_t i = 0; i < runs.size(); ++i) {
-      std::vector<std::size_t> frames{runs[i].worstFrame()};
-      if (runs.size() <= kFewObjects) frames.push_back(timeline.frames.size() / 2);
-      std::ranges::sort(frames);
-      frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
-      for (std::size_t f : frames) {
-        progress(0.8 + 0.2 * static_cast<double>(i) / static_cast<double>(runs.size()),
+      const auto part = [&](double share) {
+        progress(0.8 + 0.2 * (static_cast<double>(i) + share) / static_cast<double>(runs.size()),
                  "pictures of " + runs[i].object().name);
-        const int frame = timeline.frames[f];
-        stage.pose(frame);
-        auto pictures = photograph(scene_.scene(), scene_.objects(), stage.nodes(), stage.lights().set, runs[i],
-                                   {f, frame, timeline.time(frame)}, options_, files);
-        if (!pictures) return pictures.error();
-        std::ranges::move(*pictures, std::back_inserter(report.objects[i].pictures));
-      }
+      };
+      auto taken =
+          takePictures(scene_, timeline, stage, runs[i], options_, pictures.files, pictures.bytesAnObject, part);
+      if (!taken) return taken.error();
+      report.objects[i].pictures = std::move(taken->pictures);
+      report.objects[i].pixels = std::move(taken->frames);
     }
     return std::nullopt;
   }
@@ -170,11 +169,13 @@ Result<Report> runReport(const RunOptions& options, const std::filesystem::path&
 
   // Everything is loaded and checked before the first minute is spent on measuring.
   std::vector<LoadedScene> scenes;
-  std::size_t total = 0;
+  std::size_t total = 0, pictured = 0;
   for (const std::string& source : options.scenes) {
     auto scene = LoadedScene::load(source, options, *donor ? &**donor : nullptr);
     if (!scene) return scene.error();
     total += scene->timelines().size();
+    pictured += scene->timelines().size() *
+                static_cast<std::size_t>(std::ranges::count(scene->objects(), false, &SceneObject::isStatic));
     scenes.push_back(*std::move(scene));
   }
 
@@ -182,6 +183,7 @@ Result<Report> runReport(const RunOptions& options, const std::filesystem::path&
   report.bands = options.bands;
   report.exposure = static_cast<double>(options.exposure);
   report.rate = options.rate;
+  const std::size_t bytesAnObject = kPagePictureBytes / std::max<std::size_t>(pictured, 1);
   std::size_t done = 0;
   for (std::size_t s = 0; s < scenes.size(); ++s) {
     const SceneRun run(options, scenes[s], total);
@@ -192,7 +194,7 @@ Result<Report> runReport(const RunOptions& options, const std::filesystem::path&
       const auto part = [&](double share, const std::string& what) {
         progress((static_cast<double>(done) + share) / static_cast<double>(total), what);
       };
-      auto measured = run.measure(timelines[t], imageDirectory, pictureNames, part);
+      auto measured = run.measure(timelines[t], {{imageDirectory, pictureNames}, bytesAnObject}, part);
       if (!measured) return measured.error();
       report.scenes.push_back(*std::move(measured));
       ++done;

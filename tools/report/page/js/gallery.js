@@ -1,161 +1,329 @@
-// Pictures: rig against truth under a wipe, the difference beside it, all rigs of the frame as a contact sheet.
+// Pictures: rig and truth under a wipe, alternating or side by side, what is wrong in false colours, and the numbers under the
+// cursor. All of it is drawn from the numbers of pixels.js.
 
-const kWipeStep = 2;      // per cent of the width for an arrow key
 const kSheetColumns = 6;  // at most; rows are filled evenly
+const kTrace = 2;         // decades of the scale of irradiance
+
+const compareModes = [
+  {value: 'wipe', label: 'Wipe', title: 'Rig left of a divider, truth right of it'},
+  {value: 'flicker', label: 'Flicker', title: 'Rig and truth in turn'},
+  {value: 'side', label: 'Side by side'},
+];
+const pictureKinds = [
+  {value: 'shaded', label: 'Shaded', title: 'As the camera sees it'},
+  {value: 'clay', label: 'Clay', title: 'The light alone, on grey'},
+  {value: 'false', label: 'False colour', title: 'Irradiance by colours'},
+];
+const errorPictures = [
+  {value: 'signed', label: 'Signed', title: 'Luminance: orange where the rig is too bright, blue where it is too dark'},
+  {value: 'absolute', label: 'Absolute', title: 'Root mean square over the three channels'},
+];
+const errorUnits = [{value: 'relative', label: '% of mean', title: 'Of the mean irradiance of the truth, over the object and all frames'}, {value: 'absolute', label: 'W/m²'}];
+/** Tops of the scale of errors, relative: 1, 2, 5 in each decade. */
+const errorTops = [-3, -2, -1, 0, 1].flatMap((exponent) => [1, 2, 5].map((step) => Number((step * 10 ** exponent).toPrecision(1))));
 
 /** `store` holds {rig, frame} of the object; frames as pictureFrames() gives them. */
 function gallery(object, frames, store) {
-  const labels = [...new Set(frames.flatMap((frame) => frame.pictures.map((picture) => picture.label)))].filter((label) => label !== 'truth');
-  const frameChoice = choice('Frame', frames.map((frame, i) => ({value: i, label: seconds(frame.time), title: `frame ${frame.frame}`})),
-    (frame) => store.set({frame}));
-  const rigChoice = choice('Rig', labels.map((label) => ({value: label, label, color: colorOf(label)})), (rig) => store.set({rig}));
-  const wipe = wipeView();
-  const heat = heatView();
+  if (!canUnpack) {
+    return element('div', {class: 'card gallery'}, element('h3', {}, 'Pictures'),
+      element('p', {class: 'hint'}, 'This browser cannot unpack the pictures (it has no DecompressionStream). They are in the folder images beside this page.'));
+  }
+  const index = report.objects.indexOf(object);
+  const look = makeStore({mode: 'wipe', picture: 'shaded', error: 'signed', unit: 'relative', stops: 0, top: errorTops.findIndex((top) => top >= Math.max(...frames.map((frame) => frame.heat_scale)) * 0.999)});
+  const rigOf = (spec) => Math.max(0, object.rigs.findIndex((rig) => rig.spec === spec));
+  const exposureOf = (frame) => frame.exposure * 2 ** look.get().stops;
+
+  let visible = false;  // nothing is unpacked before it is near the window
+  let shown = null;  // {frame, rig, numbers, irradiance}: what the panes show
+  const values = valueTable(object);
+  const panes = makePanes({size: () => shown?.numbers ?? {width: 4, height: 3}, onPoint: (point) => values.show(shown, point)});
+  const compare = panes.add('Rig and truth');
+  const second = panes.add('Truth');
+  const wrong = panes.add('Error of the rig');
+  const errorScale = colorScale();
+  const irradianceScale = colorScale();
   const figures = element('dl', {class: 'figures'});
-  const sheet = contactSheet(store);
+  const sheet = contactSheet(object, store, {picture: paint, paintError});
+
+  /** Canvas of the truth (rig -1) or of a rig. */
+  function paint(frame, rig, numbers, irradiance) {
+    const {picture, stops} = look.get();
+    return drawnOnce([index, frame.frame, rig, picture, stops].join(), () => (picture === 'false'
+      ? irradianceColors(numbers, irradiance, irradianceTop(), kTrace) : shadedPicture(numbers, irradiance, exposureOf(frame), picture === 'clay')));
+  }
+  function paintError(frame, rig, numbers, irradiance) {
+    const {error, top} = look.get();
+    const draw = error === 'signed' ? signedErrorColors : absoluteErrorColors;
+    return drawnOnce([index, frame.frame, rig, error, top].join(), () => draw(numbers, irradiance, errorTops[top] * object.mean_irradiance));
+  }
+  /** Of the false colours of irradiance: what the exposure shows as white on clay. */
+  const irradianceTop = () => Math.PI / kClay / exposureOf(frames[0]);
+
+  // Later requests overtake earlier ones whose numbers are not there yet.
+  let wanted = 0;
+  async function show() {
+    const request = ++wanted;
+    const {rig: spec, frame: at} = store.get();
+    const frame = frames[at];
+    const rig = rigOf(spec);
+    const [numbers, irradiance] = await Promise.all([frameNumbers(frame), irradianceOf(frame, rig)]);
+    if (request !== wanted) return;
+    shown = {frame, rig, numbers, irradiance};
+    draw();
+    if (!player.isPlaying()) sheet.show(frame, rig);
+  }
+  function draw() {
+    if (!shown) return;
+    const {frame, rig, numbers, irradiance} = shown;
+    const {mode, error} = look.get();
+    const {spec} = object.rigs[rig];
+    const truth = {source: paint(frame, -1, numbers, numbers.truth), tag: 'truth'};
+    const own = {source: paint(frame, rig, numbers, irradiance), tag: spec};
+    beside.hidden = mode !== 'side';
+    compare.show(mode === 'wipe' ? {...truth, over: own.source, overTag: spec} : mode === 'flicker' && flicker.showsTruth() ? truth : own);
+    if (mode === 'side') second.show(truth);
+    wrong.show({source: paintError(frame, rig, numbers, irradiance), tag: error === 'signed' ? 'rig − truth' : '|rig − truth|'});
+    viewer.dataset.mode = mode;
+    values.show(shown, panes.point());
+  }
+
+  const player = makePlayer(frames, {
+    ready: (i) => Promise.all([frameNumbers(frames[i]), irradianceOf(frames[i], rigOf(store.get().rig))]),
+    onFrame: (frame) => store.set({frame, cursor: nearestIndex(object.truth, frames[frame].time)}),
+  });
+  const flicker = makeFlicker(draw);
+  const wipeRange = element('input', {type: 'range', min: 0, max: 100, step: 1, value: 50, 'aria-label': 'Wipe: how much of the picture shows the rig', on: {input: () => compare.placeWipe(wipeRange.value / 100)}});
+  compare.watchWipe((share) => {
+    wipeRange.value = Math.round(100 * share);
+    wipeRange.setAttribute('aria-valuetext', `${Math.round(100 * share)} per cent rig`);
+  });
+
+  const rigChoice = choice('Rig', object.rigs.map(({spec}) => ({value: spec, label: spec, color: colorOf(spec)})), (rig) => store.set({rig}));
+  const modes = choice('Compare', compareModes, (mode) => look.set({mode}));
+  const kinds = choice('Picture', pictureKinds, (picture) => look.set({picture}));
+  const errors = choice('Error', errorPictures, (error) => look.set({error}));
+  const units = choice('Unit', errorUnits, (unit) => look.set({unit}));
+  const exposure = knob('Exposure', {min: -6, max: 6, step: 0.25, value: 0}, (stops) => look.set({stops}), (stops) => `${stops > 0 ? '+' : stops < 0 ? '−' : '±'}${Math.abs(stops).toFixed(2)} EV`);
+  const top = knob('Scale', {min: 0, max: errorTops.length - 1, step: 1, value: look.get().top}, (value) => look.set({top: value}), (value) => errorText(errorTops[value]));
+  const errorText = (relative) => (look.get().unit === 'relative' ? `${tickLabel(100 * relative)}\u00a0%` : `${figure(relative * object.mean_irradiance)}\u00a0W/m²`);
+
+  const beside = element('figure', {class: 'second', hidden: true}, second.node);
+  const viewer = element('div', {class: 'viewer'},
+    element('figure', {class: 'compare'}, compare.node, element('div', {class: 'under'}, wipeRange, flicker.node, irradianceScale.node)),
+    beside,
+    element('figure', {class: 'wrong'}, wrong.node, element('div', {class: 'under'}, errorScale.node)));
+
+  look.watch(({mode, picture, error, unit, stops, top: at}) => {
+    modes.show(mode);
+    kinds.show(picture);
+    errors.show(error);
+    units.show(unit);
+    exposure.show(stops);
+    top.show(at);
+    wipeRange.hidden = mode !== 'wipe';
+    flicker.run(mode === 'flicker');
+    irradianceScale.node.hidden = picture !== 'false';
+    const highest = irradianceTop();
+    irradianceScale.show(heatColors, [2, 1.5, 1, 0.5, 0].map((decades, i) => `${i === 0 ? '≤\u00a0' : i === 4 ? '≥\u00a0' : ''}${figure(highest * 10 ** -decades)}${i === 4 ? '\u00a0W/m²' : ''}`));
+    const largest = errorTops[at];
+    const steps = error === 'signed' ? [-1, -0.5, 0, 0.5, 1] : [0, 0.25, 0.5, 0.75, 1];
+    errorScale.show(error === 'signed' ? signedColors : heatColors, steps.map((share) => (share === -1 ? '≤\u00a0−' : share === 1 ? '≥\u00a0' : share < 0 ? '−' : '') + (share ? errorText(Math.abs(share) * largest) : '0')));
+    draw();
+    if (shown) sheet.show(shown.frame, shown.rig);
+  });
   store.watch(({rig, frame}) => {
-    const {pictures, time} = frames[frame];
-    const truth = pictures.find((picture) => picture.label === 'truth');
-    const shown = pictures.find((picture) => picture.label === rig) ?? pictures.find((picture) => picture !== truth);
-    frameChoice.show(frame);
-    rigChoice.show(shown?.label);
-    wipe.show(truth, shown);
-    heat.show(shown);
-    figures.replaceChildren(...pictureFigures(object, shown, time));
-    sheet.show(frames[frame], shown?.label);
+    rigChoice.show(object.rigs[rigOf(rig)].spec);
+    player.show(frame);
+    figures.replaceChildren(...pictureFigures(object, frames[frame], rigOf(rig)));
+    if (visible) show();
   }, 'rig', 'frame');
-  return element('div', {class: 'card gallery'},
-    element('div', {class: 'bar'}, element('h3', {}, 'Pictures'), frames.length > 1 ? frameChoice.node : null, rigChoice.node),
-    element('div', {class: 'viewer'}, wipe.node, heat.node), figures, sheet.node);
+  const node = element('div', {class: 'card gallery'},
+    element('div', {class: 'bar'}, element('h3', {}, 'Pictures'), rigChoice.node),
+    element('div', {class: 'tools'}, modes.node, kinds.node, exposure.node, errors.node, units.node, top.node, panes.controls),
+    viewer, frames.length > 1 ? player.node : null, values.node, figures, sheet.node);
+  new IntersectionObserver((entries) => {
+    const now = entries[entries.length - 1].isIntersecting;
+    if (now && !visible) {
+      visible = true;
+      show();
+    } else if (!now && visible) {
+      visible = false;
+      player.stop();
+    }
+  }, {rootMargin: '400px'}).observe(node);
+  return node;
 }
 
-function wipeView() {
-  const truthImage = element('img', {alt: '', draggable: 'false'});
-  const rigImage = element('img', {alt: '', draggable: 'false', class: 'over'});
-  const rigTag = element('span', {class: 'tag left'});
-  const truthTag = element('span', {class: 'tag right'}, 'truth');
-  const stage = element('div', {class: 'stage'}, truthImage, rigImage, element('div', {class: 'divider', 'aria-hidden': 'true'}), rigTag, truthTag);
-  const range = element('input', {type: 'range', min: 0, max: 100, step: 'any', value: 50, 'aria-label': 'Wipe: how much of the picture shows the rig'});
-  const place = (value) => {
-    const share = Math.min(100, Math.max(0, value));
-    range.value = share;
-    range.setAttribute('aria-valuetext', `${Math.round(share)} per cent rig`);
-    stage.style.setProperty('--wipe', `${share}%`);
-    rigTag.classList.toggle('hidden', share < 12);
-    truthTag.classList.toggle('hidden', share > 88);
-  };
-  range.addEventListener('input', () => place(Number(range.value)));
-  range.addEventListener('keydown', (event) => {
-    const step = {ArrowLeft: -kWipeStep, ArrowDown: -kWipeStep, ArrowRight: kWipeStep, ArrowUp: kWipeStep}[event.key];
-    if (step === undefined) return;
-    event.preventDefault();
-    place(Number(range.value) + step);
-  });
-  // Moves are followed on the document, so that a drag goes on outside the picture.
-  stage.addEventListener('pointerdown', (down) => {
-    if (down.button !== 0) return;
-    const follow = (event) => {
-      const box = stage.getBoundingClientRect();
-      place(100 * (event.clientX - box.left) / box.width);
-    };
-    const stop = () => {
-      document.removeEventListener('pointermove', follow);
-      document.removeEventListener('pointerup', stop);
-      document.removeEventListener('pointercancel', stop);
-    };
-    document.addEventListener('pointermove', follow);
-    document.addEventListener('pointerup', stop);
-    document.addEventListener('pointercancel', stop);
-    follow(down);
-  });
-  place(50);
+/** A named slider with its value in words; a double click takes it back to where it began. */
+function knob(name, {value, ...range}, onChange, text) {
+  const input = element('input', {type: 'range', ...range, value, 'aria-label': name, title: 'Double click: back to the start', on: {
+    input: () => onChange(Number(input.value)), dblclick: () => onChange(value),
+  }});
+  const output = element('output', {});
   return {
-    node: element('figure', {class: 'wipe'}, stage, range,
-      element('figcaption', {}, 'Rig on the left, truth on the right. Drag over the picture, or use the arrow keys on the slider.')),
-    show(truth, rig) {
-      setPicture(truthImage, truth?.image, 'exact irradiance');
-      setPicture(rigImage, rig?.image, `lit by ${rig?.label}`);
-      rigTag.textContent = rig?.label ?? '';
+    node: element('label', {class: 'knob'}, element('span', {class: 'choice-label'}, name), input, output),
+    show(now) {
+      input.value = now;
+      output.textContent = text(now);
+      input.setAttribute('aria-valuetext', output.textContent);
     },
   };
 }
 
-function setPicture(image, source, description) {
-  image.hidden = !source;
-  if (source && image.getAttribute('src') !== source) image.src = source;
-  image.alt = description;
-}
+const kSlowest = 0.5;
+const kFastest = 6;  // changes a second: three flashes, the most that WCAG 2.3.1 allows
 
-function heatView() {
-  const image = element('img', {alt: '', draggable: 'false'});
-  const tag = element('span', {class: 'tag top'}, 'difference');
-  const ramp = element('div', {class: 'ramp', 'aria-hidden': 'true'});
-  ramp.style.background = `linear-gradient(to right, ${embedded.colors.join(', ')})`;
-  const ticks = element('div', {class: 'ticks'});
-  const node = element('figure', {class: 'heat'}, element('div', {class: 'stage'}, image, tag), element('div', {class: 'scale'}, ramp, ticks),
-    element('figcaption', {}, 'Difference from the truth, relative to the mean irradiance of the truth. One scale for all rigs of a frame.'));
+/** Turns from rig to truth and back. With reduced motion asked for it waits for the button. */
+function makeFlicker(draw) {
+  let truth = false;
+  let timer = null;
+  let isOn = false;
+  let rate = 2;
+  const still = matchMedia('(prefers-reduced-motion: reduce)');
+  let held = still.matches;
+  const rateKnob = knob('Rate', {min: kSlowest, max: kFastest, step: 0.5, value: rate}, (value) => {
+    rate = value;
+    update();
+  }, (value) => `${value} a second`);
+  const swap = element('button', {type: 'button', class: 'quiet', on: {click: () => {
+    held = true;
+    turn();
+    update();
+  }}}, 'Swap');
+  const hold = element('button', {type: 'button', class: 'quiet', on: {click: () => {
+    held = !held;
+    update();
+  }}});
+  const node = element('div', {class: 'flicker'}, hold, swap, rateKnob.node);
+  function turn() {
+    truth = !truth;
+    draw();
+  }
+  function update() {
+    clearInterval(timer);
+    rateKnob.show(rate);
+    hold.textContent = held ? '▶ Run' : '❚❚ Hold';
+    node.hidden = !isOn;
+    if (isOn && !held) timer = setInterval(turn, 1000 / rate);
+  }
+  update();
   return {
     node,
-    show(rig) {
-      setPicture(image, rig?.error, `difference of ${rig?.label} from the truth`);
-      // The top colour also stands for everything above it.
-      ticks.replaceChildren(...(rig?.top ? [0, 0.25, 0.5, 0.75, 1] : []).map((share) => element('span', {},
-        (share === 1 ? '≥ ' : '') + (share ? `${tickLabel(100 * share * rig.top)}\u00a0%` : '0'))));
+    showsTruth: () => truth,
+    run(on) {
+      if (on === isOn) return;
+      isOn = on;
+      update();
     },
   };
 }
 
-function pictureFigures(object, picture, time) {
-  if (!picture) return [];
-  const entries = [['This picture, RMS', percent(picture.rms)]];
-  const rig = object.rigs.find((candidate) => candidate.spec === picture.label);
-  if (rig?.frames.length) {
-    const frame = rig.frames[nearestIndex(rig.frames, time)];
-    entries.push(['This frame, spatial RMS', percent(frame.spatial_rms)], ['This frame, total RMS', percent(frame.total_rms)]);
+/** What a pixel holds: irradiance by rig and truth and their difference, W/m², and that over the mean irradiance. */
+function valueTable(object) {
+  const rows = ['Rig', 'Truth', 'Difference', 'Relative'].map((name, i) => ({
+    name: element('th', {scope: 'row'}, name), cells: [0, 1, 2, 3].map(() => element('td', {}, '–')), unit: element('td', {class: 'unit'}, i === 3 ? '% of mean' : 'W/m²'),
+  }));
+  const where = element('caption', {});
+  const source = element('p', {class: 'hint'});
+  const table = element('table', {}, where, element('thead', {}, element('tr', {}, element('td'), ...['R', 'G', 'B', 'Luminance'].map((name) => element('th', {scope: 'col'}, name)), element('td'))),
+    element('tbody', {}, ...rows.map(({name, cells, unit}) => element('tr', {}, name, ...cells, unit))));
+
+  /** Five digits tell any two half floats apart. */
+  const digits = (value) => (value === 0 ? '0' : Math.abs(value) >= 1e5 || Math.abs(value) < 1e-3 ? value.toExponential(4) : value.toPrecision(5)).replace('-', '−');
+  const signed = (value, text) => (value > 0 ? '+' : '') + text;
+
+  function show(shown, point) {
+    const blank = (text) => {
+      rows.forEach(({cells}) => cells.forEach((cell) => { cell.textContent = '–'; }));
+      where.textContent = text;
+    };
+    if (!shown) return;
+    const {frame, rig, numbers, irradiance} = shown;
+    const {width, height, object: pixels, truth} = numbers;
+    rows[0].name.textContent = object.rigs[rig].spec;
+    source.textContent = sourceOf(frame, rig);
+    if (!point) return blank('Point at a picture to read its pixels.');
+    const [x, y] = [Math.min(width - 1, Math.floor(point[0] * width)), Math.min(height - 1, Math.floor(point[1] * height))];
+    const at = pixels.places[y * width + x];
+    if (at < 0) return blank(`Pixel ${x}, ${y}: not on the object.`);
+    where.textContent = `Pixel ${x}, ${y}`;
+    for (let c = 0; c < 4; ++c) {
+      const of = (planes) => (c < 3 ? planes[c][at] : luminanceAt(planes, at));
+      const [own, exact] = [of(irradiance), of(truth)];
+      const difference = own - exact;
+      const relative = object.mean_irradiance > 0 ? difference / object.mean_irradiance : 0;
+      [digits(own), digits(exact), signed(difference, digits(difference)), signed(relative, digits(100 * relative))].forEach((text, row) => {
+        rows[row].cells[c].textContent = text;
+      });
+      [own, exact, difference, relative].forEach((value, row) => { rows[row].cells[c].dataset.value = value; });
+    }
   }
-  if (rig) {
-    entries.push(['All frames, spatial RMS', percent(rig.spatial.rms)], ['All frames, total RMS', percent(rig.total.rms)],
-      ['All frames, total max', percent(rig.total.max)]);
+
+  function sourceOf(frame, rig) {
+    const [first, second] = [object.rigs[rig].spec, 'truth'].map((label) => object.pictures.find((picture) => picture.frame === frame.frame && picture.label === label)?.image_exr);
+    if (frame.exact && first && second) return `Channels irradiance.R, .G and .B of ${first} and ${second}, exactly. Mean irradiance: ${figure(object.mean_irradiance)} W/m².`;
+    return `A smaller picture with fewer digits (within 0.4 %)${object.pictures.length ? '; the full one is exact' : ''}. Mean irradiance: ${figure(object.mean_irradiance)} W/m².`;
   }
+  return {node: element('div', {class: 'values'}, element('div', {class: 'scroller', tabindex: '0', role: 'region', 'aria-label': `Values of a pixel of ${object.name}`}, table), source), show};
+}
+
+function pictureFigures(object, frame, rigIndex) {
+  const rig = object.rigs[rigIndex];
+  const entries = [['This picture, RMS', percent(frame.rigs[rigIndex].rms)]];
+  if (rig.frames.length) {
+    const measured = rig.frames[nearestIndex(rig.frames, frame.time)];
+    entries.push(['This frame, spatial RMS', percent(measured.spatial_rms)], ['This frame, total RMS', percent(measured.total_rms)]);
+  }
+  entries.push(['All frames, spatial RMS', percent(rig.spatial.rms)], ['All frames, total RMS', percent(rig.total.rms)], ['All frames, total max', percent(rig.total.max)]);
   return entries.map(([term, value]) => element('div', {}, element('dt', {}, term), element('dd', {}, value)));
 }
 
-function contactSheet(store) {
-  const kinds = [{value: 'image', label: 'Pictures'}, {value: 'error', label: 'Differences'}];
+/** The truth and all rigs of a frame, small; a rig's picture chooses it. */
+function contactSheet(object, store, paint) {
   const grid = element('div', {class: 'sheet'});
-  let kind = 'image';
-  let shownFrame = null;
-  const kindChoice = choice('Show', kinds, (value) => {
+  const kinds = choice('Show', [{value: 'picture', label: 'Pictures'}, {value: 'paintError', label: 'Differences'}], (value) => {
     kind = value;
-    draw(shownFrame);
-    mark(store.get().rig);
+    draw();
   });
-  function draw(frame) {
-    shownFrame = frame;
-    kindChoice.show(kind);
-    const rows = Math.ceil(frame.pictures.length / kSheetColumns);
-    grid.style.setProperty('--columns', Math.ceil(frame.pictures.length / rows));
-    grid.replaceChildren(...frame.pictures.map((picture) => thumbnail(picture, kind, store)));
+  let kind = 'picture';
+  let frame = null;
+  const count = object.rigs.length + 1;
+  grid.style.setProperty('--columns', Math.ceil(count / Math.ceil(count / kSheetColumns)));
+  const thumbnails = ['truth', ...object.rigs.map((rig) => rig.spec)].map((label, i) => thumbnail(label, i - 1, store));
+  grid.append(...thumbnails.map(({node}) => node));
+
+  async function draw() {
+    kinds.show(kind);
+    const drawn = frame;
+    if (!drawn) return;
+    const numbers = await frameNumbers(drawn);
+    for (const {rig, canvas, error} of thumbnails) {
+      const irradiance = await irradianceOf(drawn, rig);
+      if (drawn !== frame) return;
+      const source = rig >= 0 || kind === 'picture' ? paint[kind](drawn, rig, numbers, irradiance) : paint.picture(drawn, rig, numbers, irradiance);
+      Object.assign(canvas, {width: 280, height: Math.round(280 * source.height / source.width)});
+      const pen = canvas.getContext('2d');
+      pen.imageSmoothingQuality = 'high';
+      pen.drawImage(source, 0, 0, canvas.width, canvas.height);
+      error.textContent = rig < 0 ? 'exact' : percent(drawn.rigs[rig].rms);
+    }
   }
-  function mark(label) {
-    for (const button of grid.querySelectorAll('button')) button.setAttribute('aria-pressed', String(button.dataset.label === label));
-  }
+  kinds.show(kind);
   return {
-    node: element('div', {class: 'contact'}, element('div', {class: 'bar'}, element('h4', {}, 'All rigs in this frame'), kindChoice.node), grid),
-    show(frame, label) {
-      if (frame !== shownFrame) draw(frame);  // else the buttons stay, and with them the focus
-      mark(label);
+    node: element('div', {class: 'contact'}, element('div', {class: 'bar'}, element('h4', {}, 'All rigs in this frame'), kinds.node), grid),
+    show(shown, chosen) {
+      frame = shown;
+      thumbnails.forEach(({node, rig}) => rig >= 0 && node.setAttribute('aria-pressed', String(rig === chosen)));
+      draw();
     },
   };
 }
 
-function thumbnail(picture, kind, store) {
-  const isTruth = picture.label === 'truth';
-  const image = element('img', {src: (kind === 'error' && picture.error) || picture.image, alt: '', loading: 'lazy', draggable: 'false'});
-  const caption = element('span', {class: 'caption'},
-    element('span', {class: 'spec'}, isTruth ? null : swatch(colorOf(picture.label)), picture.label),
-    element('span', {class: 'error'}, isTruth ? 'exact' : percent(picture.rms)));
-  if (isTruth) return element('div', {class: 'thumbnail truth'}, image, caption);
-  return element('button', {type: 'button', class: 'thumbnail', 'data-label': picture.label, on: {click: () => store.set({rig: picture.label})}},
-    image, caption);
+function thumbnail(label, rig, store) {
+  const canvas = element('canvas', {width: 280, height: 210});
+  const error = element('span', {class: 'error'});
+  const caption = element('span', {class: 'caption'}, element('span', {class: 'spec'}, rig < 0 ? null : swatch(colorOf(label)), label), error);
+  const node = rig < 0 ? element('div', {class: 'thumbnail truth'}, canvas, caption)
+    : element('button', {type: 'button', class: 'thumbnail', 'data-label': label, on: {click: () => store.set({rig: label})}}, canvas, caption);
+  return {node, rig, canvas, error};
 }

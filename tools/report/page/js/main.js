@@ -6,7 +6,7 @@
  */
 function objectSection(object, index) {
   const frames = pictureFrames(index);
-  const store = makeStore({rig: object.verdict?.spec ?? null, frame: 0, cursor: null});
+  const store = makeStore({rig: object.verdict?.spec ?? null, frame: Math.max(0, frames.findIndex(({exact}) => exact)), cursor: null});
   const section = element('section', {class: 'object', id: `object-${index}`, 'aria-labelledby': `object-${index}-name`});
   const facts = [sceneTitle(sceneOf(object)), plural(object.triangles, 'triangle'), plural(object.samples, 'surface sample'),
     plural(sceneOf(object).frames, 'frame'), `mean irradiance ${figure(object.mean_irradiance)} W/m²`].join(' · ');

@@ -1,4 +1,4 @@
-// The data of the page: report.json as the program wrote it, pictures as data URIs, and what follows from both.
+// The data of the page: report.json as the program wrote it, the numbers of pictures, and what follows from both.
 
 const report = JSON.parse(document.getElementById('report-data').textContent);
 const embedded = JSON.parse(document.getElementById('picture-data').textContent);
@@ -40,18 +40,8 @@ function paretoRigs(rigs, costOf, errorOf) {
 
 const currentPareto = (rigs, {cost, error}) => paretoRigs(rigs, costNamed(cost).get, (rig) => rig[error].rms);
 
-/** Pictures by frame: [{frame, time, pictures: [{label, rms, image, error, top}]}], truth first. */
-function pictureFrames(objectIndex) {
-  const frames = [];
-  report.objects[objectIndex].pictures.forEach((picture, i) => {
-    const {image, error} = embedded.objects[objectIndex][i];
-    if (!image) return;
-    let frame = frames.find((candidate) => candidate.frame === picture.frame);
-    if (!frame) frames.push(frame = {frame: picture.frame, time: picture.time, pictures: []});
-    frame.pictures.push({label: picture.label, rms: picture.rms, top: picture.heat_map_max, image, error});
-  });
-  return frames;
-}
+/** The frames of an object that have pictures, in the order of time; pixels.js unpacks them. */
+const pictureFrames = (objectIndex) => embedded.objects[objectIndex] ?? [];
 
 /** The entry of `rows` whose time is nearest. */
 function nearestIndex(rows, time) {

@@ -28,8 +28,7 @@ const summaryColumns = [
 ].map((column) => (column.rig ? {...column, get: ({object}) => ofRig(object, column.rig)} : column));
 
 function objectCell({object, index}) {
-  const picture = pictureFrames(index)[0]?.pictures[0];
-  const view = picture ? element('img', {class: 'portrait', src: picture.image, alt: '', loading: 'lazy'}) : null;
+  const view = portrait(index);
   return element('th', {scope: 'row', class: 'name'}, element('div', {class: 'who'}, view, element('div', {},
     element('a', {href: `#object-${index}`}, object.name),
     report.scenes.length > 1 ? element('span', {class: 'where', title: sceneTitle(sceneOf(object))}, sceneTitle(sceneOf(object), true)) : null)));
