@@ -71,7 +71,14 @@ TEST_F(PicturePlan, EveryFrameIsPicturedInOrderAndOneInFull) {
   EXPECT_EQ(std::ranges::count(object_->pixels, true, &PixelFrame::exact), 1);
   EXPECT_EQ(exact().width, kPictureSize.width);
   ASSERT_EQ(object_->pictures.size(), 3u);
-  for (const Picture& picture : object_->pictures) EXPECT_EQ(picture.frame, exact().frame);
+  for (const Picture& picture : object_->pictures) {
+    EXPECT_EQ(picture.frame, exact().frame);
+    EXPECT_EQ(picture.flip.has_value(), picture.label != "truth");
+  }
+  const double coarse = *object_->pictures[1].flip, fine = *object_->pictures[2].flip;
+  EXPECT_GT(fine, 0);
+  EXPECT_GT(coarse, fine) << "constant looks worse than poly:4";
+  EXPECT_LT(coarse, 0.5);
 }
 
 TEST_F(PicturePlan, PageHasTheNumbersOfTheFiles) {

@@ -2,6 +2,8 @@
 
 #include "view_fixture.h"
 
+#include "picture/flip.h"
+#include "picture/tone_map.h"
 #include "report/pixel_packing.h"
 
 #include <algorithm>
@@ -91,12 +93,29 @@ Moment moment(int frame, double time, bool full) {
     picture.imageExr = stem + ".exr";
     return picture;
   };
+  const auto shown = [&](const tools::Image& irradiance) {
+    tools::Image image = surroundings;
+    for (std::size_t i = 0; i < image.rgb.size(); ++i) image.rgb[i] += reflectance.rgb[i] * irradiance.rgb[i];
+    return tools::toneMap(image, result.pixels.exposure);
+  };
+  const tools::Flip flip(shown(truth));
+  const auto meanFlip = [&](const tools::Image& irradiance) {
+    const std::vector<float> errors = flip.against(shown(irradiance));
+    double sum = 0, pixels = 0;
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+      if (truth.coverage[i] == 0) continue;
+      sum += static_cast<double>(errors[i]);
+      ++pixels;
+    }
+    return sum / pixels;
+  };
   file("truth");
   for (const MadeUpRig& made : kRigs) {
     Picture& picture = file(made.spec);
     picture.errorPng = "images/error-" + std::to_string(result.files.size()) + ".png";
     picture.heatMapMax = static_cast<double>(kHeatScale);
     picture.rms = made.total;
+    picture.flip = meanFlip(rigs[static_cast<std::size_t>(&made - kRigs)]);
   }
   return result;
 }

@@ -110,7 +110,9 @@ TEST(ReportJson, LeavesOutWhatWasNotWritten) {
   EXPECT_FALSE(truth.contains("error_png"));
   EXPECT_FALSE(truth.contains("error_exr"));
   EXPECT_FALSE(truth.contains("heat_map_max"));
+  EXPECT_FALSE(truth.contains("flip"));
   EXPECT_EQ(json["objects"][0]["pictures"][1]["heat_map_max"], 0.5);
+  EXPECT_GT(json["objects"][0]["pictures"][1]["flip"], 0);
 }
 
 TEST(ReportJson, WhatWasNotMeasuredIsNull) {

@@ -1,5 +1,7 @@
 #include "report/gallery.h"
 
+#include "parallel/parallel.h"
+#include "picture/flip.h"
 #include "picture/image_io.h"
 #include "picture/tone_map.h"
 #include "report/earlier_pictures.h"
@@ -74,6 +76,17 @@ PixelFrame pack(const Photographer& photographer, const ShadedFrame& shaded, Fra
   return out;
 }
 
+/// A mean over the pixels that show the object.
+double meanOnObject(std::span<const float> values, const Image& truth) {
+  double sum = 0, pixels = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!(truth.coverage[i] > 0)) continue;
+    sum += static_cast<double>(values[i]);
+    ++pixels;
+  }
+  return pixels > 0 ? sum / pixels : 0;
+}
+
 /// Writes one picture as OpenEXR and PNG.
 class PictureWriter {
  public:
@@ -117,13 +130,23 @@ Result<FramePictures> photograph(const PosedScene& scene, const ObjectRun& run, 
   truth.time = frame.time;
   truth.frame = frame.number;
   const Image seen = photographer.radiance(photographer.truth());
-  if (auto error = writer.write(stem + "truth", seen, &shaded.truth, toneMap(seen, photographer.exposure()),
-                                truth.imageExr, truth.imagePng))
+  const Image8 truthDisplay = toneMap(seen, photographer.exposure());
+  if (auto error = writer.write(stem + "truth", seen, &shaded.truth, truthDisplay, truth.imageExr, truth.imagePng))
     return *error;
 
   std::vector<std::string> specs;
   for (std::size_t r = 0; r < run.rigCount(); ++r) specs.push_back(run.rig(r).rig().spec().text);
   const std::vector<std::string> rigNames = rigNameParts(specs);
+  std::vector<Image> images(specs.size());
+  std::vector<Image8> displays(specs.size());
+  std::vector<double> flips(specs.size());
+  const Flip flip(truthDisplay);
+  parallelFor(static_cast<int>(specs.size()), [&](int rig) {
+    const auto r = static_cast<std::size_t>(rig);
+    images[r] = photographer.radiance(shaded.rigs[r].irradiance);
+    displays[r] = toneMap(images[r], photographer.exposure());
+    flips[r] = meanOnObject(flip.against(displays[r]), shaded.truth);
+  });
   for (std::size_t r = 0; r < specs.size(); ++r) {
     const ShadedRig& rig = shaded.rigs[r];
     Picture picture;
@@ -132,11 +155,11 @@ Result<FramePictures> photograph(const PosedScene& scene, const ObjectRun& run, 
     picture.frame = frame.number;
     picture.rms = out.pixels.rigs[r].rms;
     picture.heatMapMax = static_cast<double>(shaded.heatScale);
-    const Image image = photographer.radiance(rig.irradiance);
+    picture.flip = flips[r];
     const Image error = difference(shaded.irradiance[r], shaded.truth, run.meanIrradiance());
     const std::string name = stem + rigNames[r];
-    if (auto failed = writer.write(name, image, &shaded.irradiance[r], toneMap(image, photographer.exposure()),
-                                   picture.imageExr, picture.imagePng))
+    if (auto failed =
+            writer.write(name, images[r], &shaded.irradiance[r], displays[r], picture.imageExr, picture.imagePng))
       return *failed;
     if (auto failed = writer.write(name + "-error", error, nullptr, photographer.heat(rig.error, shaded.heatScale),
                                    picture.errorExr, picture.errorPng))

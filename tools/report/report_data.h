@@ -125,6 +125,7 @@ struct Picture {
   std::string errorPng, errorExr;  // heat map; "" for the truth
   double heatMapMax = 0;           // relative error at the top of the heat map's scale
   double rms = 0;                  // over the object's pixels, relative to the mean irradiance of the run
+  std::optional<double> flip;      // FLIP of the PNG and the truth's, mean over the object's pixels; none for the truth
 };
 
 struct ObjectReport {

@@ -268,6 +268,7 @@ class Writer {
     addFile("image_png", report.imagePng);
     addFile("image_exr", report.imageExr);
     if (report.heatMapMax > 0) result["heat_map_max"] = number(report.heatMapMax, "heat_map_max");
+    if (report.flip) result["flip"] = number(*report.flip, "picture flip");
     addFile("error_png", report.errorPng);
     addFile("error_exr", report.errorExr);
     return result;

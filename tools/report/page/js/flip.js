@@ -109,3 +109,9 @@ function flipErrors(p, q) {
     return color ** (1 - feature);
   });
 }
+
+/** A picture of the truth, seen once for all rigs of a frame: of each frame the last is kept. */
+function seenTruth(numbers, key, see) {
+  if (numbers.seen?.key !== key) numbers.seen = {key, picture: see()};
+  return numbers.seen.picture;
+}

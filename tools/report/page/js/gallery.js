@@ -2,7 +2,6 @@
 // cursor. All of it is drawn from the numbers of pixels.js.
 
 const kSheetColumns = 6;  // at most; rows are filled evenly
-const kTrace = 2;         // decades of the scale of irradiance
 
 const compareModes = [
   {value: 'wipe', label: 'Wipe', title: 'Rig left of a divider, truth right of it'},
@@ -17,6 +16,7 @@ const pictureKinds = [
 const errorPictures = [
   {value: 'signed', label: 'Signed', title: 'Luminance: orange where the rig is too bright, blue where it is too dark'},
   {value: 'absolute', label: 'Absolute', title: 'Root mean square over the three channels'},
+  {value: 'flip', label: 'FLIP', title: 'How large the difference looks when the two pictures alternate, 0 to 1, at this exposure (Andersson and others 2020)'},
 ];
 const errorUnits = [{value: 'relative', label: '% of mean', title: 'Of the mean irradiance of the truth, over the object and all frames'}, {value: 'absolute', label: 'W/m²'}];
 /** Tops of the scale of errors, relative: 1, 2, 5 in each decade. */
@@ -49,15 +49,30 @@ function gallery(object, frames, store) {
   function paint(frame, rig, numbers, irradiance) {
     const {picture, stops} = look.get();
     return drawnOnce([index, frame.frame, rig, picture, stops].join(), () => (picture === 'false'
-      ? irradianceColors(numbers, irradiance, irradianceTop(), kTrace) : shadedPicture(numbers, irradiance, exposureOf(frame), picture === 'clay')));
+      ? irradianceColors(numbers, irradiance, irradianceTop()) : shadedPicture(numbers, irradiance, exposureOf(frame), picture === 'clay')));
   }
   function paintError(frame, rig, numbers, irradiance) {
     const {error, top} = look.get();
+    if (error === 'flip') return paintFlip(frame, rig, numbers, irradiance);
     const draw = error === 'signed' ? signedErrorColors : absoluteErrorColors;
     return drawnOnce([index, frame.frame, rig, error, top].join(), () => draw(numbers, irradiance, errorTops[top] * object.mean_irradiance));
   }
-  /** Of the false colours of irradiance: what the exposure shows as white on clay. */
-  const irradianceTop = () => Math.PI / kClay / exposureOf(frames[0]);
+  /** Of the pictures as they are shown: shaded, or as clay. Smaller ones are taken to be seen from as much further away. */
+  function paintFlip(frame, rig, numbers, irradiance) {
+    const {picture, stops, top} = look.get();
+    const clay = picture === 'clay';
+    return drawnOnce([index, frame.frame, rig, 'flip', clay, stops, top].join(), () => {
+      const pixelsPerDegree = kPixelsPerDegree * numbers.width / Math.max(...frames.map(({width}) => width));
+      const seen = (planes) => seenPicture(shadedPicture(numbers, planes, exposureOf(frame), clay), pixelsPerDegree);
+      const truth = seenTruth(numbers, [clay, stops].join(), () => seen(numbers.truth));
+      const errors = flipErrors(truth, seen(irradiance));
+      const image = wholePicture(numbers, heatTable, errors, errorTops[top]);
+      return Object.assign(image, {mean: meanOnObject(numbers, errors)});
+    });
+  }
+  /** Of the false colours of irradiance: what the truth exceeds at one pixel in a hundred of the frame shown first. */
+  let usualTop = 1;
+  const irradianceTop = () => usualTop * 2 ** -look.get().stops;
 
   // Later requests overtake earlier ones whose numbers are not there yet.
   let wanted = 0;
@@ -68,6 +83,10 @@ function gallery(object, frames, store) {
     const rig = rigOf(spec);
     const [numbers, irradiance] = await Promise.all([frameNumbers(frame), irradianceOf(frame, rig)]);
     if (request !== wanted) return;
+    if (!shown) {
+      usualTop = roundTop(numbers.truth);
+      look.set({});
+    }
     shown = {frame, rig, numbers, irradiance};
     draw();
     if (!player.isPlaying()) sheet.show(frame, rig);
@@ -82,7 +101,8 @@ function gallery(object, frames, store) {
     beside.hidden = mode !== 'side';
     compare.show(mode === 'wipe' ? {...truth, over: own.source, overTag: spec} : mode === 'flicker' && flicker.showsTruth() ? truth : own);
     if (mode === 'side') second.show(truth);
-    wrong.show({source: paintError(frame, rig, numbers, irradiance), tag: error === 'signed' ? 'rig − truth' : '|rig − truth|'});
+    const source = paintError(frame, rig, numbers, irradiance);
+    wrong.show({source, tag: {signed: 'rig − truth', absolute: '|rig − truth|', flip: `FLIP, mean ${source.mean?.toFixed(3)}`}[error]});
     viewer.dataset.mode = mode;
     values.show(shown, panes.point());
   }
@@ -105,7 +125,7 @@ function gallery(object, frames, store) {
   const units = choice('Unit', errorUnits, (unit) => look.set({unit}));
   const exposure = knob('Exposure', {min: -6, max: 6, step: 0.25, value: 0}, (stops) => look.set({stops}), (stops) => `${stops > 0 ? '+' : stops < 0 ? '−' : '±'}${Math.abs(stops).toFixed(2)} EV`);
   const top = knob('Scale', {min: 0, max: errorTops.length - 1, step: 1, value: look.get().top}, (value) => look.set({top: value}), (value) => errorText(errorTops[value]));
-  const errorText = (relative) => (look.get().unit === 'relative' ? `${tickLabel(100 * relative)}\u00a0%` : `${figure(relative * object.mean_irradiance)}\u00a0W/m²`);
+  const errorText = (relative) => (look.get().error === 'flip' ? tickLabel(relative) : look.get().unit === 'relative' ? `${tickLabel(100 * relative)}\u00a0%` : `${figure(relative * object.mean_irradiance)}\u00a0W/m²`);
 
   const beside = element('figure', {class: 'second', hidden: true}, second.node);
   const viewer = element('div', {class: 'viewer'},
@@ -118,13 +138,13 @@ function gallery(object, frames, store) {
     kinds.show(picture);
     errors.show(error);
     units.show(unit);
+    units.node.hidden = error === 'flip';
     exposure.show(stops);
     top.show(at);
     wipeRange.hidden = mode !== 'wipe';
     flicker.run(mode === 'flicker');
     irradianceScale.node.hidden = picture !== 'false';
-    const highest = irradianceTop();
-    irradianceScale.show(heatColors, [2, 1.5, 1, 0.5, 0].map((decades, i) => `${i === 0 ? '≤\u00a0' : i === 4 ? '≥\u00a0' : ''}${figure(highest * 10 ** -decades)}${i === 4 ? '\u00a0W/m²' : ''}`));
+    irradianceScale.show(heatColors, [0, 0.25, 0.5, 0.75, 1].map((share) => (share === 1 ? '≥\u00a0' : '') + (share ? `${tickLabel(share * irradianceTop())}${share === 1 ? '\u00a0W/m²' : ''}` : '0')));
     const largest = errorTops[at];
     const steps = error === 'signed' ? [-1, -0.5, 0, 0.5, 1] : [0, 0.25, 0.5, 0.75, 1];
     errorScale.show(error === 'signed' ? signedColors : heatColors, steps.map((share) => (share === -1 ? '≤\u00a0−' : share === 1 ? '≥\u00a0' : share < 0 ? '−' : '') + (share ? errorText(Math.abs(share) * largest) : '0')));
@@ -139,8 +159,10 @@ function gallery(object, frames, store) {
   }, 'rig', 'frame');
   const node = element('div', {class: 'card gallery'},
     element('div', {class: 'bar'}, element('h3', {}, 'Pictures'), rigChoice.node),
-    element('div', {class: 'tools'}, modes.node, kinds.node, exposure.node, errors.node, units.node, top.node, panes.controls),
-    viewer, frames.length > 1 ? player.node : null, values.node, figures, sheet.node);
+    element('div', {class: 'tools'}, toolGroup(modes.node, kinds.node, exposure.node), toolGroup(errors.node, units.node, top.node), panes.controls),
+    viewer, frames.length > 1 ? player.node : null,
+    element('p', {class: 'hint'}, 'Wheel, pinch, + and − zoom all pictures alike; drag moves them. Point or tap to read a pixel; arrow keys go on from there.'),
+    element('div', {class: 'readings'}, values.node, figures), sheet.node);
   new IntersectionObserver((entries) => {
     const now = entries[entries.length - 1].isIntersecting;
     if (now && !visible) {
@@ -153,6 +175,27 @@ function gallery(object, frames, store) {
   }, {rootMargin: '400px'}).observe(node);
   return node;
 }
+
+const toolGroup = (...tools) => element('div', {class: 'tool-group'}, ...tools);
+
+/** The luminance that one pixel in a hundred exceeds, rounded up. */
+function roundTop(planes) {
+  const sorted = planes[0].map((_, i) => luminanceAt(planes, i)).sort();
+  const value = sorted[Math.floor(0.99 * (sorted.length - 1))];
+  if (!(value > 0)) return 1;
+  const power = 10 ** Math.floor(Math.log10(value));
+  return [1, 1.5, 2, 3, 4, 6, 8, 10].map((step) => step * power).find((top) => top >= value * (1 - 1e-6));
+}
+
+const meanOnObject = ({share}, values) => {
+  let [sum, count] = [0, 0];
+  values.forEach((value, i) => {
+    if (!share[i]) return;
+    sum += value;
+    ++count;
+  });
+  return count ? sum / count : 0;
+};
 
 /** A named slider with its value in words; a double click takes it back to where it began. */
 function knob(name, {value, ...range}, onChange, text) {
@@ -221,15 +264,15 @@ function makeFlicker(draw) {
 /** What a pixel holds: irradiance by rig and truth and their difference, W/m², and that over the mean irradiance. */
 function valueTable(object) {
   const rows = ['Rig', 'Truth', 'Difference', 'Relative'].map((name, i) => ({
-    name: element('th', {scope: 'row'}, name), cells: [0, 1, 2, 3].map(() => element('td', {}, '–')), unit: element('td', {class: 'unit'}, i === 3 ? '% of mean' : 'W/m²'),
+    name: element('span', {}, name), cells: [0, 1, 2, 3].map(() => element('td', {}, '–')), unit: element('small', {}, i === 3 ? '% of mean' : 'W/m²'),
   }));
   const where = element('caption', {});
   const source = element('p', {class: 'hint'});
-  const table = element('table', {}, where, element('thead', {}, element('tr', {}, element('td'), ...['R', 'G', 'B', 'Luminance'].map((name) => element('th', {scope: 'col'}, name)), element('td'))),
-    element('tbody', {}, ...rows.map(({name, cells, unit}) => element('tr', {}, name, ...cells, unit))));
+  const table = element('table', {}, where, element('thead', {}, element('tr', {}, element('td'), ...['R', 'G', 'B', 'Luminance'].map((name) => element('th', {scope: 'col'}, name)))),
+    element('tbody', {}, ...rows.map(({name, cells, unit}) => element('tr', {}, element('th', {scope: 'row'}, name, ' ', unit), ...cells))));
 
   /** Five digits tell any two half floats apart. */
-  const digits = (value) => (value === 0 ? '0' : Math.abs(value) >= 1e5 || Math.abs(value) < 1e-3 ? value.toExponential(4) : value.toPrecision(5)).replace('-', '−');
+  const digits = (value, count = 5) => (value === 0 ? '0' : Math.abs(value) >= 1e5 || Math.abs(value) < 1e-3 ? value.toExponential(count - 1) : value.toPrecision(count)).replace('-', '−');
   const signed = (value, text) => (value > 0 ? '+' : '') + text;
 
   function show(shown, point) {
@@ -252,7 +295,7 @@ function valueTable(object) {
       const [own, exact] = [of(irradiance), of(truth)];
       const difference = own - exact;
       const relative = object.mean_irradiance > 0 ? difference / object.mean_irradiance : 0;
-      [digits(own), digits(exact), signed(difference, digits(difference)), signed(relative, digits(100 * relative))].forEach((text, row) => {
+      [digits(own), digits(exact), signed(difference, digits(difference, 4)), signed(relative, digits(100 * relative, 4))].forEach((text, row) => {
         rows[row].cells[c].textContent = text;
       });
       [own, exact, difference, relative].forEach((value, row) => { rows[row].cells[c].dataset.value = value; });
@@ -270,6 +313,8 @@ function valueTable(object) {
 function pictureFigures(object, frame, rigIndex) {
   const rig = object.rigs[rigIndex];
   const entries = [['This picture, RMS', percent(frame.rigs[rigIndex].rms)]];
+  const {flip} = object.pictures.find((picture) => picture.frame === frame.frame && picture.label === rig.spec) ?? {};
+  if (flip !== undefined) entries.push(['This picture, FLIP', flip.toFixed(3)]);
   if (rig.frames.length) {
     const measured = rig.frames[nearestIndex(rig.frames, frame.time)];
     entries.push(['This frame, spatial RMS', percent(measured.spatial_rms)], ['This frame, total RMS', percent(measured.total_rms)]);
@@ -299,13 +344,15 @@ function contactSheet(object, store, paint) {
     const numbers = await frameNumbers(drawn);
     for (const {rig, canvas, error} of thumbnails) {
       const irradiance = await irradianceOf(drawn, rig);
+      await new Promise((done) => setTimeout(done));  // FLIP of a full picture takes a while: others come in between
       if (drawn !== frame) return;
       const source = rig >= 0 || kind === 'picture' ? paint[kind](drawn, rig, numbers, irradiance) : paint.picture(drawn, rig, numbers, irradiance);
       Object.assign(canvas, {width: 280, height: Math.round(280 * source.height / source.width)});
       const pen = canvas.getContext('2d');
       pen.imageSmoothingQuality = 'high';
       pen.drawImage(source, 0, 0, canvas.width, canvas.height);
-      error.textContent = rig < 0 ? 'exact' : percent(drawn.rigs[rig].rms);
+      const {flip} = object.pictures.find((picture) => picture.frame === drawn.frame && picture.label === object.rigs[rig]?.spec) ?? {};
+      error.textContent = rig < 0 ? 'exact' : [percent(drawn.rigs[rig].rms), flip === undefined ? null : `FLIP\u00a0${flip.toFixed(3)}`].filter(Boolean).join(' · ');
     }
   }
   kinds.show(kind);

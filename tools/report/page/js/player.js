@@ -8,7 +8,7 @@ function makePlayer(frames, {ready, onFrame}) {
   let index = 0;
   let playing = null;  // one run of playback; another, or none, ends it
   let speed = 1;
-  const range = element('input', {type: 'range', min: 0, max: last, step: 1, value: 0, 'aria-label': 'Frame', list: null, on: {input: () => {
+  const range = element('input', {type: 'range', min: 0, max: last, step: 1, value: 0, 'aria-label': 'Frame', on: {input: () => {
     stop();
     onFrame(Number(range.value));
   }}});
@@ -36,14 +36,23 @@ function makePlayer(frames, {ready, onFrame}) {
     playing = null;
     label();
   }
+  /** By the clock: where unpacking or drawing takes longer than a frame lasts, frames are left out. */
   async function start() {
     const run = playing = {};
     label();
+    const from = frames[0].time;
+    const until = frames[last].time + (frames[last].time - from) / last;
+    let at = frames[index].time;
+    let before = performance.now();
     while (playing === run) {
-      const next = (index + 1) % frames.length;
-      const span = next ? frames[next].time - frames[index].time : frames[last].time - frames[last - 1].time;
-      const pause = new Promise((done) => setTimeout(done, 1000 * span / speed));
-      await Promise.all([ready(next), pause]);
+      await new Promise(requestAnimationFrame);
+      const now = performance.now();
+      at += speed * (now - before) / 1000;
+      before = now;
+      if (at >= until) at = from + (at - until) % (until - from);
+      const next = Math.max(0, frames.findLastIndex(({time: begins}) => begins <= at));
+      if (next === index) continue;
+      await ready(next);
       if (playing === run) onFrame(next);
     }
   }

@@ -73,12 +73,22 @@ function falseColorPicture({width, height, share, object}, table, valueAt) {
   return image;
 }
 
+/** The same where every pixel has a value, 1 at `top`. */
+function wholePicture({width, height}, table, values, top) {
+  const image = new ImageData(width, height);
+  values.forEach((value, i) => {
+    const entry = 3 * Math.round(255 * Math.min(1, value / top));
+    image.data.set([table[entry], table[entry + 1], table[entry + 2], 255], 4 * i);
+  });
+  return image;
+}
+
 const luminance = (r, g, b) => 0.2126 * r + 0.7152 * g + 0.0722 * b;
 const luminanceAt = (planes, i) => luminance(planes[0][i], planes[1][i], planes[2][i]);
 
-/** Luminance of irradiance on a logarithmic scale of `decades` below `top`. */
-function irradianceColors(numbers, irradiance, top, decades) {
-  return falseColorPicture(numbers, heatTable, (i) => 1 + Math.log10(Math.max(luminanceAt(irradiance, i), 1e-30) / top) / decades);
+/** Luminance of irradiance. */
+function irradianceColors(numbers, irradiance, top) {
+  return falseColorPicture(numbers, heatTable, (i) => luminanceAt(irradiance, i) / top);
 }
 
 /** The difference of luminance: grey-black where there is none, orange where the rig is too bright, blue where too dark. */
@@ -93,7 +103,7 @@ function absoluteErrorColors(numbers, irradiance, top) {
 }
 
 const drawnPictures = new Map();
-/** The canvas that `draw` gives for a key, drawn once while it is kept. */
+/** The ImageData that `draw` gives for a key as a canvas, drawn once while it is kept, with the mean that it may have. */
 function drawnOnce(key, draw) {
   let canvas = drawnPictures.get(key);
   drawnPictures.delete(key);
@@ -101,6 +111,7 @@ function drawnOnce(key, draw) {
     const image = draw();
     canvas = element('canvas', {width: image.width, height: image.height});
     canvas.getContext('2d').putImageData(image, 0, 0);
+    canvas.mean = image.mean;
   }
   drawnPictures.set(key, canvas);
   if (drawnPictures.size > kKept) drawnPictures.delete(drawnPictures.keys().next().value);
