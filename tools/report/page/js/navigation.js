@@ -23,11 +23,11 @@ function objectBar(object, index, parts) {
     element('nav', {'aria-label': `Parts of the report on ${object.name}`}, ...links));
 }
 
-/** Marks the link to what is being read: the last target that begins above the middle of the window. */
+/** Marks the link to what is being read: the last target that begins in the upper third of the window. */
 function followReading(links) {
   const targets = [...links].map((link) => ({link, target: document.getElementById(link.hash.slice(1))})).filter(({target}) => target);
   const mark = () => {
-    const above = targets.filter(({target}) => target.getBoundingClientRect().top < innerHeight / 2);
+    const above = targets.filter(({target}) => target.getBoundingClientRect().top < innerHeight / 3);
     const current = above[above.length - 1]?.link;
     for (const {link} of targets) {
       if (link === current) link.setAttribute('aria-current', 'true');
