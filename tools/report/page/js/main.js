@@ -18,6 +18,7 @@ function objectSection(object, index) {
     if (object.truth.length > 1) charts.append(timeChart(object, frames, store));
     if (object.rigs.length > 1) charts.append(costChart(object, store));
     parts.push(charts);
+    parts.push(...errorBreakdown(object, store));
     if (object.rigs.some((rig) => rig.lights.length)) parts.push(lightTable(object, store));
   }
   section.append(objectBar(object, index, parts), element('p', {class: 'facts'}, facts), ...(object.verdict ? [verdictSentence(object)] : []), ...parts);
