@@ -6,7 +6,9 @@
 
 #include <rigel/vec3.h>
 
-#include <optional>
+#include <array>
+#include <cstdint>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -27,8 +29,10 @@ class ErrorSpread {
   };
 
   // A float's upper half is a scale of its own: sign, exponent, and 128 equal steps in every octave. Counted so, errors
-  // find their bins when the mean that they are relative to is known.
-  std::vector<std::uint32_t> counts_ = std::vector<std::uint32_t>(1u << 16);
+  // find their bins when the mean that they are relative to is known. By sign and exponent; those that occur.
+  static constexpr std::uint32_t kSteps = 128;
+  using Octave = std::array<std::uint32_t, kSteps>;
+  std::map<std::uint32_t, Octave> counts_;
   std::vector<Point> points_;
   std::size_t frames_ = 0;
 };

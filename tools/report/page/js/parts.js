@@ -82,6 +82,7 @@ function legendOf(rig) {
 function whatToDo(rig, object) {
   const {total} = rig.parts;
   if (!(total > 0)) return 'no error.';
+  if (total < 1e-8) return `total RMS is ${percent(Math.sqrt(total))}: nothing is left to gain.`;
   const [first, second] = [...knownCauses(rig)].sort((a, b) => b.square - a.square);
   if (second.square > 0.6 * first.square) {
     return `${first.cause} and ${second.cause} weigh about the same (${sharePercent(first.square / total)} and ${sharePercent(second.square / total)} of the squared error). ` +
@@ -97,7 +98,7 @@ function helpFor(cause, rig, object) {
     case 'spatial':
       return `${moreNear(rig, false)} or a larger rig would help against the spatial error, more bands would not.`;
     case 'near form':
-      return 'Near lights on materials with wrap are evaluated to 1 or 2 % of their peak: fewer of them, or no wrap, would help.';
+      return 'On materials with wrap near lights are evaluated to 1 or 2\u00a0% of their peak: less wrap or fewer near lights would help.';
     case 'light model':
       return 'Lights are projected in 32 bits, disks by six nodes: nothing larger is wrong.';
     default:
@@ -117,7 +118,7 @@ function moreNear(rig, truncation) {
 function moreBands(object) {
   const {bands} = report;
   if (bands >= 5) return '';
-  if (bands === 3 && !sceneOf(object).effects.includes('wrap')) return ' or --bands\u00a05 (a fourth band holds nothing of Lambert)';
+  if (bands === 3 && !sceneOf(object).effects.some((effect) => effect.endsWith('wrap'))) return ' or --bands\u00a05 (a fourth band holds nothing of Lambert)';
   return ` or --bands\u00a0${bands + 1}`;
 }
 
