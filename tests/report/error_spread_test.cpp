@@ -203,6 +203,11 @@ TEST(BodyParts, ASkinsPartsAreItsJoints) {
     arm = arm || parts[i].name == "forearm left";
   }
   EXPECT_TRUE(arm);
+  const auto has = [&](const std::string& name) {
+    return std::ranges::any_of(parts, [&](const BodyPartErrors& part) { return part.name == name; });
+  };
+  for (const char* limb : {"clavicle", "upper arm", "forearm", "hand", "thigh", "shin", "foot"})
+    EXPECT_EQ(has(std::string(limb) + " left"), has(std::string(limb) + " right")) << limb;
   EXPECT_NEAR(share, 1, 1e-9);
   EXPECT_NEAR(area, 1, 1e-9);
 }

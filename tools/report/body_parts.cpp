@@ -64,12 +64,8 @@ class Merging {
   void merge() {
     while (const std::optional<int> smallest = smallestLeaf()) {
       if (groups_.size() <= BodyParts::kMost && groups_.at(*smallest).samples >= BodyParts::kLeastSamples) break;
-      const Group moved = std::move(groups_.at(*smallest));
-      Group& into = at(junction(*smallest));
-      into.samples += moved.samples;
-      into.nodes.insert(into.nodes.end(), moved.nodes.begin(), moved.nodes.end());
-      groups_.erase(*smallest);
-      for (int node = parent(*smallest); node >= 0; node = parent(node)) --below(node);
+      for (const int node : counterparts(*smallest)) moveUp(node);
+      moveUp(*smallest);
     }
   }
 
@@ -103,6 +99,35 @@ class Merging {
     if (added)
       for (int up = parent(node); up >= 0; up = parent(up)) ++below(up);
     return entry->second;
+  }
+
+  void moveUp(int node) {
+    const Group moved = std::move(groups_.at(node));
+    Group& into = at(junction(node));
+    into.samples += moved.samples;
+    into.nodes.insert(into.nodes.end(), moved.nodes.begin(), moved.nodes.end());
+    groups_.erase(node);
+    for (int up = parent(node); up >= 0; up = parent(up)) --below(up);
+  }
+
+  int depth(int node) const {
+    int steps = 0;
+    for (int up = parent(node); up >= 0; up = parent(up)) ++steps;
+    return steps;
+  }
+
+  /// The other foot, where one goes to its leg: as deep, about as large, on another branch.
+  std::vector<int> counterparts(int leaf) {
+    constexpr double kAlike = 1.25;
+    constexpr std::size_t kFew = 64;  // more are no limbs, and take long to compare
+    std::vector<int> out;
+    if (groups_.size() > kFew) return out;
+    for (const auto& [node, group] : groups_) {
+      if (node == leaf || below(node) > 0 || group.samples > kAlike * groups_.at(leaf).samples) continue;
+      const int to = junction(node);
+      if (to >= 0 && to != junction(leaf) && depth(node) == depth(leaf)) out.push_back(node);
+    }
+    return out;
   }
 
   /// Of the groups from which no other hangs and that hang from something, the one with fewest samples.

@@ -23,7 +23,8 @@ struct BodyParts {
 };
 
 /// One part for each node or joint with samples, named after it. While there are too many, or one has fewer than
-/// kLeastSamples, the smallest of those from which no other hangs goes to what it hangs from in the node hierarchy.
+/// kLeastSamples, the smallest of those from which no other hangs goes to what it hangs from in the node hierarchy, and
+/// with it those that are as deep and about as large on other branches: feet go together.
 /// Of a skinned triangle the joint counts that has the largest weight at the point.
 BodyParts findBodyParts(const Scene& scene, const SceneObject& object, std::span<const SurfacePoint> samples);
 
