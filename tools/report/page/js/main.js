@@ -12,6 +12,8 @@ function objectSection(object, index) {
     plural(sceneOf(object).frames, 'frame'), `mean irradiance ${figure(object.mean_irradiance)} W/m²`].join(' · ');
   const parts = [];
   if (frames.length) parts.push(gallery(object, frames, store));
+  const view3d = view3dCard(object, index, store);
+  if (view3d) parts.push(view3d);
   if (object.rigs.length) {
     parts.push(rigTable(object, store));
     const charts = element('div', {class: 'charts'});
