@@ -30,8 +30,8 @@ function view3dCard(object, index, store) {
     change({moment});
   });
   const tools = element('div', {class: 'view3d-tools'},
-    element('button', {type: 'button', class: 'quiet', title: 'The object fills the view (Home)', on: {click: () => live?.stage.reset()}}, 'Object'),
-    element('button', {type: 'button', class: 'quiet', title: 'Shows the lights around it too', on: {click: () => live?.stage.reset(live.reach)}}, 'Lights'));
+    element('button', {type: 'button', class: 'quiet', title: 'The object fills the view (Home)', on: {click: () => frameObject()}}, 'Object'),
+    element('button', {type: 'button', class: 'quiet', title: 'Shows the lights around it too', on: {click: () => frameLights()}}, 'Lights'));
   const frame = element('div', {class: 'view3d-frame'}, canvas, labels, readout, tools, message);
   let live = null;
   let opening = false;
@@ -61,6 +61,9 @@ function view3dCard(object, index, store) {
     stage.redraw();
   }
 
+  const frameObject = () => live?.stage.reset(boxCorners(live.view, state.moment));
+  const frameLights = () => live?.stage.reset([...boxCorners(live.view, state.moment), ...live.lights.places(live.radius)]);
+
   /** What is to be seen, in words. */
   function describe() {
     const rig = object.rigs[state.rig];
@@ -85,7 +88,7 @@ function view3dCard(object, index, store) {
       if (liveViews.length > kLiveViews) liveViews.find((other) => other.frame !== frame).close();
       paint();
       draw();
-      live.stage.reset();
+      frameObject();
     } catch (error) {
       message.hidden = false;
       message.textContent = error.message;
@@ -105,7 +108,7 @@ function view3dCard(object, index, store) {
       placeLabels(labels, camera, state.parts.has('lights') ? lights.lights : []);
     });
     stage.scene.add(surface.node, lights.node);
-    return {view, stage, surface, lights, reach: reachOf(view, place, lights.lights, radius)};
+    return {view, stage, surface, lights, radius};
   }
 
   function close() {
@@ -130,7 +133,7 @@ function view3dCard(object, index, store) {
     if (!live || event.ctrlKey || event.metaKey || event.altKey) return;
     const act = {ArrowLeft: () => live.stage.orbit(-kOrbitStep, 0), ArrowRight: () => live.stage.orbit(kOrbitStep, 0),
       ArrowUp: () => live.stage.orbit(0, kOrbitStep), ArrowDown: () => live.stage.orbit(0, -kOrbitStep), '+': () => live.stage.zoom(1 / kZoomStep),
-      '=': () => live.stage.zoom(1 / kZoomStep), '-': () => live.stage.zoom(kZoomStep), Home: () => live.stage.reset(), ' ': () => time.toggle()}[event.key];
+      '=': () => live.stage.zoom(1 / kZoomStep), '-': () => live.stage.zoom(kZoomStep), Home: frameObject, ' ': () => time.toggle()}[event.key];
     if (!act) return;
     event.preventDefault();
     act();
@@ -196,10 +199,13 @@ function worldMiddle(view, frame) {
   return {middle: [0, 1, 2].map((axis) => toWorld(center, axis)), bottom};
 }
 
-/** In radii of the object: how far its lights reach, but no farther than where it could still be seen. */
-function reachOf(view, place, lights, radius) {
-  const {middle} = worldMiddle(view, 0);
-  const away = lights.map((light, i) => (light.kind === 'directional' ? 2.2 * radius : Math.hypot(...place(i, 0).position.map((x, axis) => x - middle[axis])))).sort((a, b) => a - b);
-  const most = away[Math.floor(0.6 * (away.length - 1))] ?? radius;
-  return Math.min(4.5, Math.max(1.6, most / radius));
+/** The corners of the object's box, as they lie in the world about its middle. */
+function boxCorners(view, frame) {
+  const [lo, hi] = boundsOf(view.positions[frame]);
+  const half = hi.map((x, axis) => (x - lo[axis]) / 2);
+  const pose = view.poses[frame];
+  return Array.from({length: 8}, (_, i) => {
+    const corner = half.map((x, axis) => (i >> axis & 1 ? x : -x));
+    return [0, 1, 2].map((axis) => pose[axis] * corner[0] + pose[3 + axis] * corner[1] + pose[6 + axis] * corner[2]);
+  });
 }

@@ -5,6 +5,7 @@ const kLeastPixels = 5;    // radius of a light on the screen
 const kRingPixels = 10;
 const kConeLength = 0.7;   // of the object's radius
 const kArrowLength = 0.55;
+const kFarthestShown = 8;  // radii of the object
 
 // A ball that darkens towards its edge, so that a white one is seen on white too.
 const kBallVertex = `
@@ -34,7 +35,7 @@ function ballMaterial(color) {
   return material;
 }
 
-/** {node, show(frame, rig), fit(camera, height), at(raycaster), near()}; `names` and `kinds` are the report's rows of lights. */
+/** {node, lights, show(), fit(camera, height), places(), at(raycaster), paint(host)}; `rows`: the report's lights of the scene. */
 function lightsView(view, scene, place, rows, radius) {
   const node = new THREE.Group();
   const lights = scene.lights.map((light, i) => lightShape(light, rows[light.index], place(i, 0), radius));
@@ -70,20 +71,31 @@ function lightsView(view, scene, place, rows, radius) {
         const size = Math.max(light.kind === 'disk' ? 0 : light.size, kLeastPixels * meter);
         light.ball.scale.setScalar(light.kind === 'disk' ? Math.max(light.size, kLeastPixels * meter) : size);
         light.ring.scale.setScalar(Math.max(size + 6 * meter, kRingPixels * meter));
+        light.pixels = light.ring.scale.x / meter;
         light.ring.quaternion.copy(camera.quaternion);
       }
+    },
+    /** The nearer half of the lights, relative to the object's middle, no farther than it can still be seen from. */
+    places(objectSize) {
+      const around = lights.map((light) => light.node.position.toArray().map((x, axis) => x - center[axis])).sort((a, b) => Math.hypot(...a) - Math.hypot(...b));
+      return around.slice(0, Math.ceil(around.length / 2)).filter((point) => Math.hypot(...point) < kFarthestShown * objectSize);
     },
     at(raycaster) {
       let best = null;
       for (const light of lights) {
-        const [hit] = raycaster.intersectObject(light.kind === 'directional' ? light.turned : light.ball, true);
+        const [hit] = raycaster.intersectObject(light.kind === 'directional' ? light.turned : light.ball, light.kind === 'directional');
         if (hit && (!best || hit.distance < best.distance)) best = {distance: hit.distance, light};
       }
       return best;
     },
     paint(host) {
       const accent = styleColor(host, '--accent');
-      for (const light of lights) light.ring.material.color.setRGB(...accent, 'srgb');
+      const text = new THREE.Color().setRGB(...styleColor(host, '--text'), 'srgb');
+      for (const light of lights) {
+        light.ring.material.color.setRGB(...accent, 'srgb');
+        // Towards the page's text, so that pale lines are seen on a pale page.
+        light.node.traverse((part) => { if (part.isLineSegments) part.material.color.copy(light.color).lerp(text, 0.45); });
+      }
     },
   };
 }
@@ -105,21 +117,21 @@ function lightShape(light, row, {radius: size}, objectRadius) {
   };
   const node = new THREE.Group();
   const turned = new THREE.Group();  // +z is the way the light travels
-  const solid = material(1);
   const round = ballMaterial(color);
   round.userData = {opacity: 1};
   materials.push(round);
   const ball = new THREE.Mesh(kindGeometry(row.type), row.type === 'disk' ? material(0.85, {side: THREE.DoubleSide}) : round);
   if (row.type === 'directional') {
     const length = kArrowLength * objectRadius;
-    const shaft = new THREE.Mesh(new THREE.CylinderGeometry(0.02 * objectRadius, 0.02 * objectRadius, length, 12), solid);
-    const head = new THREE.Mesh(new THREE.ConeGeometry(0.07 * objectRadius, 0.2 * objectRadius, 20), solid);
+    const shaft = new THREE.Mesh(new THREE.CylinderGeometry(0.014 * objectRadius, 0.014 * objectRadius, length, 12), round);
+    const head = new THREE.Mesh(new THREE.ConeGeometry(0.05 * objectRadius, 0.16 * objectRadius, 24), round);
     for (const part of [shaft, head]) part.rotation.x = Math.PI / 2;
     shaft.position.z = length / 2;
     head.position.z = length;
     turned.add(shaft, head);
   } else if (row.type === 'disk') {
     turned.add(ball);
+    ball.add(lineOf(Array.from({length: 48}, (_, i) => [i, i + 1].map((k) => [Math.cos(k * Math.PI / 24), Math.sin(k * Math.PI / 24), 0])).flat(), color));
     const length = Math.max(size, 0.15 * objectRadius);
     turned.add(lineOf([[0, 0, 0], [0, 0, length]], color), ...(light.two_sided ? [lineOf([[0, 0, 0], [0, 0, -length]], color)] : []));
   } else {
@@ -129,7 +141,7 @@ function lightShape(light, row, {radius: size}, objectRadius) {
   const ring = new THREE.Mesh(new THREE.RingGeometry(0.86, 1, 48), new THREE.MeshBasicMaterial({transparent: true, depthTest: false, side: THREE.DoubleSide}));
   ring.renderOrder = 2;
   node.add(turned, ring);
-  return {node, turned, ball, ring, materials, kind: row.type, row, index: light.index, size, near: 0, culled: false};
+  return {node, turned, ball, ring, materials, color, kind: row.type, row, index: light.index, size, near: 0, culled: false};
 }
 
 const kindGeometry = (type) => (type === 'disk' ? new THREE.CircleGeometry(1, 48) : new THREE.SphereGeometry(1, 24, 16));

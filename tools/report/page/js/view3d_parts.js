@@ -81,7 +81,7 @@ function timeControls(object, moments, onMove) {
     toggle,
     show(moment) {
       slider.value = moment;
-      label.textContent = `${seconds(at(moment))} · frame ${moments[moment] + 1} of ${object.truth.length}`;
+      label.textContent = `${seconds(at(moment))} · frame ${Math.round(at(moment) * report.rate)}`;
       slider.setAttribute('aria-valuetext', `${seconds(at(moment))}, ${moment + 1} of ${moments.length}`);
     },
   };
@@ -127,19 +127,25 @@ function hoverLines(hit, rig) {
 }
 
 const kLabels = 6;
+const kLabelSize = [90, 15];  // what a label keeps free of others, in pixels
 
-/** Names beside the lights that are near, as far as they are in the picture. */
+/** Names beside the lights that are near, as far as they are in the picture and have room. */
 function placeLabels(node, camera, lights) {
-  const near = lights.filter((light) => light.near > 0).sort((a, b) => b.near - a.near).slice(0, kLabels);
-  while (node.children.length > near.length) node.lastChild.remove();
-  while (node.children.length < near.length) node.append(element('span'));
   const [width, height] = [node.clientWidth, node.clientHeight];
-  near.forEach((light, i) => {
+  const taken = [];
+  const named = lights.filter((light) => light.near > 0).sort((a, b) => b.near - a.near).flatMap((light) => {
     const place = light.node.position.clone().project(camera);
+    const [x, y] = [(0.5 + place.x / 2) * width, (0.5 - place.y / 2) * height];
+    const seen = place.z < 1 && Math.abs(place.x) < 0.98 && Math.abs(place.y) < 0.96;
+    if (!seen || taken.length === kLabels || taken.some((other) => Math.abs(other[0] - x) < kLabelSize[0] && Math.abs(other[1] - y) < kLabelSize[1])) return [];
+    taken.push([x, y]);
+    return [{name: light.row.name, x, y, aside: light.pixels + 5, flip: x > 0.8 * width}];
+  });
+  while (node.children.length > named.length) node.lastChild.remove();
+  while (node.children.length < named.length) node.append(element('span'));
+  named.forEach(({name, x, y, aside, flip}, i) => {
     const label = node.children[i];
-    label.hidden = place.z > 1 || Math.abs(place.x) > 0.98 || Math.abs(place.y) > 0.96;
-    if (label.textContent !== light.row.name) label.textContent = light.row.name;
-    label.style.transform = `translate(${Math.round((0.5 + place.x / 2) * width)}px, ${Math.round((0.5 - place.y / 2) * height)}px)`;
-    label.classList.toggle('flip', place.x > 0.6);
+    if (label.textContent !== name) label.textContent = name;
+    label.style.transform = `translate(${Math.round(x + (flip ? -aside : aside))}px, ${Math.round(y)}px)${flip ? ' translateX(-100%)' : ''}`;
   });
 }

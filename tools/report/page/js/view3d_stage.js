@@ -3,6 +3,7 @@
 const kFieldOfView = 32;
 const kYaw = 0.66;    // as the report's pictures look
 const kPitch = 0.31;
+const kFill = 0.86;   // of the canvas, by what is to be seen
 const kOrbitStep = Math.PI / 18;
 const kZoomStep = 1.15;
 
@@ -34,8 +35,8 @@ function webglContext(canvas) {
 }
 
 /**
- * `canvas` with a context; `radius` of the object [m]. {scene, camera, follow(middle, bottom), redraw(), reset(), orbit(dx, dy), zoom(factor),
- * paint(), dispose()}; `before(camera, height)` is called ahead of each drawing.
+ * `canvas` with a context; `radius` of the object [m]. {scene, camera, follow(middle, bottom), redraw(), reset(corners), orbit(right, up),
+ * zoom(factor), paint(host), dispose()}; `before(camera, height)` is called ahead of each drawing.
  */
 function makeStage(canvas, context, radius, before) {
   const renderer = new THREE.WebGLRenderer({canvas, context, antialias: true, alpha: true});
@@ -75,11 +76,18 @@ function makeStage(canvas, context, radius, before) {
   const sizes = new ResizeObserver(redraw);
   sizes.observe(canvas);
 
-  /** As far off as shows a sphere of `around` radii whole. */
-  function reset(around = 1.02) {
-    const narrow = Math.min(1, (canvas.clientWidth || 1) / (canvas.clientHeight || 1));
-    const distance = around * radius / Math.sin(THREE.MathUtils.degToRad(kFieldOfView / 2)) / narrow;
-    camera.position.set(Math.cos(kPitch) * Math.sin(kYaw), Math.sin(kPitch), Math.cos(kPitch) * Math.cos(kYaw)).multiplyScalar(distance).add(controls.target);
+  /** As near as shows the box of `corners`, relative to the middle, whole. */
+  function reset(corners) {
+    const back = new THREE.Vector3(Math.cos(kPitch) * Math.sin(kYaw), Math.sin(kPitch), Math.cos(kPitch) * Math.cos(kYaw));
+    const right = new THREE.Vector3(Math.cos(kYaw), 0, -Math.sin(kYaw));
+    const up = back.clone().cross(right);
+    const high = kFill * Math.tan(THREE.MathUtils.degToRad(kFieldOfView / 2));
+    const wide = high * (canvas.clientWidth || 1) / (canvas.clientHeight || 1);
+    const away = corners.map((corner) => {
+      const point = new THREE.Vector3(...corner);
+      return point.dot(back) + Math.max(Math.abs(point.dot(right)) / wide, Math.abs(point.dot(up)) / high);
+    });
+    camera.position.copy(controls.target).addScaledVector(back, Math.min(controls.maxDistance, Math.max(controls.minDistance, ...away)));
     controls.update();
     redraw();
   }
