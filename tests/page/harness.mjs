@@ -21,7 +21,7 @@ export const everyView = [laptop, {...laptop, name: 'laptop, dark', theme: 'dark
 export const reports = process.env.RIGEL_REPORT ? [process.env.RIGEL_REPORT] : ['made-up', 'crowd', 'smallest', 'hostile'];
 
 const kQuiet = ['--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'];
-const kDrawing = {false: ['--disable-gpu'], true: ['--use-angle=swiftshader', '--enable-unsafe-swiftshader']};
+const kDrawing = {false: ['--disable-gpu', '--disable-3d-apis'], true: ['--use-angle=swiftshader', '--enable-unsafe-swiftshader']};
 const browsers = {};
 
 /** One browser for all visits of a script; `webgl` draws it on the processor. */

@@ -1,8 +1,9 @@
 // The 3-D view: opens, turns by mouse and keys, follows time and the rig chosen, says what is under the pointer.
 import assert from 'node:assert/strict';
-import {everyView, pageTest, phone, reports, settled} from './harness.mjs';
+import {laptop, pageTest, phone, reports, settled} from './harness.mjs';
 
-const webgl = {webgl: true};
+const webgl = {webgl: true, views: [laptop]};
+const onPhone = {webgl: true, views: [phone]};
 const card = (page) => page.locator('.view3d').first();
 const canvas = (page) => card(page).locator('canvas');
 const label = (page) => canvas(page).getAttribute('aria-label');
@@ -40,7 +41,7 @@ pageTest('draws more than a floor', 'made-up', async ({page}) => {
     assert.equal(await button.getAttribute('aria-pressed'), 'false');
   }
   for (const surface of ['Signed', 'Lit by rig', 'Lit by truth', 'Error']) await changes(page, surface, () => card(page).getByRole('button', {name: surface, exact: true}).click());
-}, {...webgl, views: everyView});
+}, onPhone);
 
 pageTest('orbits', 'made-up', async ({page}) => {
   await opened(page);
@@ -56,7 +57,7 @@ pageTest('orbits', 'made-up', async ({page}) => {
   for (const key of ['ArrowLeft', 'ArrowUp', '+', '-', 'ArrowRight']) await changes(page, key, press(page, key));
   await changes(page, 'Home', press(page, 'Home'));
   await changes(page, 'showing the lights', () => card(page).locator('.view3d-tools').getByRole('button', {name: 'Lights'}).click());
-}, webgl);
+}, {webgl: true});
 
 pageTest('the wheel scrolls the page until the view is clicked', 'made-up', async ({page}) => {
   await opened(page);
@@ -91,7 +92,7 @@ pageTest('follows time, and time follows it', 'made-up', async ({page}) => {
   const held = await slider.inputValue();
   await page.waitForTimeout(900);
   assert.equal(await slider.inputValue(), held);
-}, webgl);
+}, onPhone);
 
 pageTest('shows the rig chosen for the object', 'made-up', async ({page, data}) => {
   await opened(page);
@@ -102,7 +103,7 @@ pageTest('shows the rig chosen for the object', 'made-up', async ({page, data}) 
   assert.match(await label(page), /near: none/);
   await card(page).getByRole('group', {name: 'Rig'}).getByRole('button', {name: 'auto', exact: true}).click();
   assert.doesNotMatch(await label(page), /near: none/);
-}, webgl);
+}, onPhone);
 
 pageTest('its scale has units and steps', 'made-up', async ({page}) => {
   await opened(page);
@@ -113,7 +114,7 @@ pageTest('its scale has units and steps', 'made-up', async ({page}) => {
   assert.notEqual(await top(), before);
   await card(page).getByRole('button', {name: 'Coarser scale'}).click();
   assert.equal(await top(), before);
-}, webgl);
+}, onPhone);
 
 pageTest('says what is under the pointer', 'made-up', async ({page, data}) => {
   await opened(page);
@@ -146,7 +147,7 @@ pageTest('says what is under the pointer', 'made-up', async ({page, data}) => {
   }
   assert.ok(names.some((name) => said.startsWith(name)), 'no light under the pointer anywhere');
   assert.match(said, /(near|far|culled)/);
-}, {...webgl, views: [phone]});
+}, onPhone);
 
 pageTest('draws nothing while nothing changes', 'made-up', async ({page}) => {
   await opened(page);
@@ -175,5 +176,5 @@ for (const name of reports) {
       await view.locator('.view3d-message').waitFor({state: 'hidden'});
     }
     assert.equal(views.length, {'made-up': 1, crowd: 3, smallest: 0, hostile: 1}[name] ?? views.length);
-  }, webgl);
+  }, onPhone);
 }

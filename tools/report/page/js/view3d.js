@@ -132,8 +132,8 @@ function view3dCard(object, index, store) {
   canvas.addEventListener('keydown', (event) => {
     if (!live || event.ctrlKey || event.metaKey || event.altKey) return;
     const act = {ArrowLeft: () => live.stage.orbit(-kOrbitStep, 0), ArrowRight: () => live.stage.orbit(kOrbitStep, 0),
-      ArrowUp: () => live.stage.orbit(0, kOrbitStep), ArrowDown: () => live.stage.orbit(0, -kOrbitStep), '+': () => live.stage.zoom(1 / kZoomStep),
-      '=': () => live.stage.zoom(1 / kZoomStep), '-': () => live.stage.zoom(kZoomStep), Home: frameObject, ' ': () => time.toggle()}[event.key];
+      ArrowUp: () => live.stage.orbit(0, kOrbitStep), ArrowDown: () => live.stage.orbit(0, -kOrbitStep), '+': () => live.stage.zoom(1 / kDollyStep),
+      '=': () => live.stage.zoom(1 / kDollyStep), '-': () => live.stage.zoom(kDollyStep), Home: frameObject, ' ': () => time.toggle()}[event.key];
     if (!act) return;
     event.preventDefault();
     act();

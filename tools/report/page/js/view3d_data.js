@@ -9,12 +9,6 @@ const kCulled = 0;
 const kFar = 1;
 const kLeastNear = 2;
 
-async function inflate(base64) {
-  const packed = Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
-  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('deflate'));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
-}
-
 /** Reads rows as RowPacker wrote them: differences along the row, or from the row before. */
 function rowReader(bytes) {
   let next = 0;

@@ -5,7 +5,7 @@ const kYaw = 0.66;    // as the report's pictures look
 const kPitch = 0.31;
 const kFill = 0.86;   // of the canvas, by what is to be seen
 const kOrbitStep = Math.PI / 18;
-const kZoomStep = 1.15;
+const kDollyStep = 1.15;
 
 const kFloorVertex = `
 varying vec3 vWorld;
