@@ -110,7 +110,23 @@ for (const name of reports) {
       await changes(wrong, act, `zoom by ${how}`);
       assert.notEqual(await sum(compare), before, `zoom by ${how}: the panes are not linked`);
     }
-    assert.notEqual(await gallery.locator('.zoom-level').textContent(), '1×');
+    const session = await page.context().newCDPSession(page);
+    const level = async () => parseFloat(await gallery.locator('.zoom-level').textContent());
+    const touch = (type, ...points) => session.send('Input.dispatchTouchEvent', {type, touchPoints: points.map(([x, y], id) => ({x, y, id}))});
+    await gallery.getByRole('button', {name: 'Show the whole picture'}).click();
+    await compare.evaluate((node) => node.scrollIntoView({block: 'center', behavior: 'instant'}));
+    const place = await compare.boundingBox();
+    const [middle, row] = [place.x + place.width / 2, place.y + place.height / 2];
+    await touch('touchStart', [middle - 20, row], [middle + 20, row]);
+    for (const spread of [30, 45, 60]) await touch('touchMove', [middle - spread, row], [middle + spread, row]);
+    await touch('touchEnd');
+    assert.ok(Math.abs(await level() - 3) < 0.2, `pinch to three times the width: ${await level()}`);
+    await changes(wrong, async () => {
+      await page.mouse.move(middle, row - place.height / 4);
+      await page.mouse.down();
+      await page.mouse.move(middle + 40, row - place.height / 4 + 30, {steps: 3});
+      await page.mouse.up();
+    }, 'a drag moves what is magnified');
     await gallery.getByRole('button', {name: 'Show the whole picture'}).click();
     assert.equal(await gallery.locator('.zoom-level').textContent(), '1×');
 

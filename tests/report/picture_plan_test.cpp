@@ -134,5 +134,44 @@ TEST_F(PicturePlan, PartsOfAPictureGiveTheFilesRadiance) {
                     coverage.begin(), coverage.begin() + static_cast<std::ptrdiff_t>(mask.covered.size()), 255)));
 }
 
+/// The pictures that a report would take of the first object, had it so many bytes for them: width of each frame,
+/// negative where it is exact.
+std::vector<int> widthsWithin(std::size_t bytes) {
+  const RunOptions options = quickRun("sample:touch", "0:30:6", "constant");
+  const auto scene = LoadedScene::load("sample:touch", options, nullptr);
+  EXPECT_TRUE(scene);
+  const Timeline& timeline = scene->timelines().front();
+  auto stage = Stage::create(*scene, timeline);
+  const auto moving = std::ranges::find(scene->objects(), false, &SceneObject::isStatic);
+  PosedObject posed;
+  stage->pose(0);
+  poseObject(scene->scene(), *moving, stage->nodes(), posed);
+  auto run = ObjectRun::create(*moving, posed, options, {});
+  EXPECT_TRUE(run);
+  for (std::size_t f = 0; f < timeline.frames.size(); ++f) {
+    const int frame = timeline.frames[f];
+    stage->pose(frame);
+    poseObject(scene->scene(), *moving, stage->nodes(), run->posed());
+    run->measure({frame, timeline.time(frame), timeline.followsOn(f)}, stage->lights().set);
+  }
+  const test::TemporaryFolder folder;
+  const auto taken = takePictures(*scene, timeline, *stage, *run, options, {folder.path(), ""}, bytes, [](double) {});
+  EXPECT_TRUE(taken);
+  EXPECT_EQ(taken->pictures.size(), 2u) << "files of one frame, whatever the page has";
+  std::vector<int> widths;
+  for (const PixelFrame& frame : taken->frames) widths.push_back(frame.exact ? -frame.width : frame.width);
+  return widths;
+}
+
+TEST(PicturePlanBudget, FewBytesMakeFewAndSmallPictures) {
+  const int small = kPictureSize.width / 3, medium = kPictureSize.width / 2, full = -kPictureSize.width;
+  EXPECT_THAT(widthsWithin(1), testing::ElementsAre(small)) << "one that shows something at least";
+  const std::vector<int> some = widthsWithin(kPagePictureBytes / 12), many = widthsWithin(kPagePictureBytes);
+  EXPECT_EQ(std::ranges::count(some, full), 1);
+  EXPECT_EQ(std::ranges::count(some, small), static_cast<std::ptrdiff_t>(some.size()) - 1);
+  EXPECT_EQ(std::ranges::count(many, full), 1);
+  EXPECT_EQ(std::ranges::count(many, medium), 5);
+}
+
 }  // namespace
 }  // namespace rigel::tests

@@ -46,17 +46,23 @@ Result<ObjectPictures> takePictures(const LoadedScene& scene, const Timeline& ti
   const double budget = static_cast<double>(bytes) / static_cast<double>(std::max<std::size_t>(first.bytes(), 1));
   const bool full = budget >= kFullOverSmall;
   const double left = std::max(0.0, budget - (full ? kFullOverSmall : 1));
-  const bool medium = left >= kMediumOverSmall * std::min(kEnoughPlayed, static_cast<double>(total));
-  const auto affordable = static_cast<std::size_t>(left / (medium ? kMediumOverSmall : 1));
+  const double pairs = kPlayedPairs * static_cast<double>(bytes) / static_cast<double>(kPagePictureBytes);
+  const auto affordable = [&](int divisor) {
+    const double pixels = static_cast<double>(kPictureSize.width * kPictureSize.height) / (divisor * divisor);
+    const double inTime = pairs / (pixels * std::max(1, stage.lights().set.size()));
+    return std::min(left / (divisor == kMedium ? kMediumOverSmall : 1), inTime);
+  };
+  const double all = static_cast<double>(std::min(total, kMostPlayed));
+  const int divisor = affordable(kMedium) >= std::min(kEnoughPlayed, all) ? kMedium : kSmall;
+  const auto count = static_cast<std::size_t>(std::min(affordable(divisor), all));
 
   ObjectPictures out;
   std::vector<float> exposures;
-  const std::vector<std::size_t> frames = spread(std::min({affordable, total, kMostPlayed}), total, worst);
+  const std::vector<std::size_t> frames = spread(count, total, worst);
   for (std::size_t k = 0; k < frames.size(); ++k) {
     progress(static_cast<double>(k) / static_cast<double>(frames.size() + 1));
     const std::size_t f = frames[k];
-    out.frames.push_back(f == worst ? std::move(first)
-                                    : sketch(pose(f), run, label(f), options, medium ? kMedium : kSmall));
+    out.frames.push_back(f == worst ? std::move(first) : sketch(pose(f), run, label(f), options, divisor));
     exposures.push_back(out.frames.back().exposure);
   }
   // One exposure for the clip: that of its middle.
