@@ -87,6 +87,26 @@ double meanOnObject(std::span<const float> values, const Image& truth) {
   return pixels > 0 ? sum / pixels : 0;
 }
 
+/// A rig's picture, and how different from the truth's it looks.
+struct Shown {
+  Image radiance;
+  Image8 display;
+  double flip = 0;
+};
+
+std::vector<Shown> showAll(const Photographer& photographer, const ShadedFrame& shaded, const Image8& truth) {
+  const Flip flip(truth);
+  std::vector<Shown> all(shaded.rigs.size());
+  parallelFor(static_cast<int>(all.size()), [&](int r) {
+    const auto i = static_cast<std::size_t>(r);
+    Shown& shown = all[i];
+    shown.radiance = photographer.radiance(shaded.rigs[i].irradiance);
+    shown.display = toneMap(shown.radiance, photographer.exposure());
+    shown.flip = meanOnObject(flip.against(shown.display), shaded.truth);
+  });
+  return all;
+}
+
 /// Writes one picture as OpenEXR and PNG.
 class PictureWriter {
  public:
@@ -137,16 +157,7 @@ Result<FramePictures> photograph(const PosedScene& scene, const ObjectRun& run, 
   std::vector<std::string> specs;
   for (std::size_t r = 0; r < run.rigCount(); ++r) specs.push_back(run.rig(r).rig().spec().text);
   const std::vector<std::string> rigNames = rigNameParts(specs);
-  std::vector<Image> images(specs.size());
-  std::vector<Image8> displays(specs.size());
-  std::vector<double> flips(specs.size());
-  const Flip flip(truthDisplay);
-  parallelFor(static_cast<int>(specs.size()), [&](int rig) {
-    const auto r = static_cast<std::size_t>(rig);
-    images[r] = photographer.radiance(shaded.rigs[r].irradiance);
-    displays[r] = toneMap(images[r], photographer.exposure());
-    flips[r] = meanOnObject(flip.against(displays[r]), shaded.truth);
-  });
+  const std::vector<Shown> shown = showAll(photographer, shaded, truthDisplay);
   for (std::size_t r = 0; r < specs.size(); ++r) {
     const ShadedRig& rig = shaded.rigs[r];
     Picture picture;
@@ -155,11 +166,11 @@ Result<FramePictures> photograph(const PosedScene& scene, const ObjectRun& run, 
     picture.frame = frame.number;
     picture.rms = out.pixels.rigs[r].rms;
     picture.heatMapMax = static_cast<double>(shaded.heatScale);
-    picture.flip = flips[r];
+    picture.flip = shown[r].flip;
     const Image error = difference(shaded.irradiance[r], shaded.truth, run.meanIrradiance());
     const std::string name = stem + rigNames[r];
-    if (auto failed =
-            writer.write(name, images[r], &shaded.irradiance[r], displays[r], picture.imageExr, picture.imagePng))
+    if (auto failed = writer.write(name, shown[r].radiance, &shaded.irradiance[r], shown[r].display, picture.imageExr,
+                                   picture.imagePng))
       return *failed;
     if (auto failed = writer.write(name + "-error", error, nullptr, photographer.heat(rig.error, shaded.heatScale),
                                    picture.errorExr, picture.errorPng))

@@ -1,7 +1,6 @@
 // Pictures: rig and truth under a wipe, alternating or side by side, what is wrong in false colours, and the numbers under the
 // cursor. All of it is drawn from the numbers of pixels.js.
 
-const kSheetColumns = 6;  // at most; rows are filled evenly
 
 const compareModes = [
   {value: 'wipe', label: 'Wipe', title: 'Rig left of a divider, truth right of it'},
@@ -213,103 +212,6 @@ function knob(name, {value, ...range}, onChange, text) {
   };
 }
 
-const kSlowest = 0.5;
-const kFastest = 6;  // changes a second: three flashes, the most that WCAG 2.3.1 allows
-
-/** Turns from rig to truth and back. With reduced motion asked for it waits for the button. */
-function makeFlicker(draw) {
-  let truth = false;
-  let timer = null;
-  let isOn = false;
-  let rate = 2;
-  const still = matchMedia('(prefers-reduced-motion: reduce)');
-  let held = still.matches;
-  const rateKnob = knob('Rate', {min: kSlowest, max: kFastest, step: 0.5, value: rate}, (value) => {
-    rate = value;
-    update();
-  }, (value) => `${value} a second`);
-  const swap = element('button', {type: 'button', class: 'quiet', on: {click: () => {
-    held = true;
-    turn();
-    update();
-  }}}, 'Swap');
-  const hold = element('button', {type: 'button', class: 'quiet', on: {click: () => {
-    held = !held;
-    update();
-  }}});
-  const node = element('div', {class: 'flicker'}, hold, swap, rateKnob.node);
-  function turn() {
-    truth = !truth;
-    draw();
-  }
-  function update() {
-    clearInterval(timer);
-    rateKnob.show(rate);
-    hold.textContent = held ? '▶ Run' : '❚❚ Hold';
-    node.hidden = !isOn;
-    if (isOn && !held) timer = setInterval(turn, 1000 / rate);
-  }
-  update();
-  return {
-    node,
-    showsTruth: () => truth,
-    run(on) {
-      if (on === isOn) return;
-      isOn = on;
-      update();
-    },
-  };
-}
-
-/** What a pixel holds: irradiance by rig and truth and their difference, W/m², and that over the mean irradiance. */
-function valueTable(object) {
-  const rows = ['Rig', 'Truth', 'Difference', 'Relative'].map((name, i) => ({
-    name: element('span', {}, name), cells: [0, 1, 2, 3].map(() => element('td', {}, '–')), unit: element('small', {}, i === 3 ? '% of mean' : 'W/m²'),
-  }));
-  const where = element('caption', {});
-  const source = element('p', {class: 'hint'});
-  const table = element('table', {}, where, element('thead', {}, element('tr', {}, element('td'), ...['R', 'G', 'B', 'Luminance'].map((name) => element('th', {scope: 'col'}, name)))),
-    element('tbody', {}, ...rows.map(({name, cells, unit}) => element('tr', {}, element('th', {scope: 'row'}, name, ' ', unit), ...cells))));
-
-  /** Five digits tell any two half floats apart. */
-  const digits = (value, count = 5) => (value === 0 ? '0' : Math.abs(value) >= 1e5 || Math.abs(value) < 1e-3 ? value.toExponential(count - 1) : value.toPrecision(count)).replace('-', '−');
-  const signed = (value, text) => (value > 0 ? '+' : '') + text;
-
-  function show(shown, point) {
-    const blank = (text) => {
-      rows.forEach(({cells}) => cells.forEach((cell) => { cell.textContent = '–'; }));
-      where.textContent = text;
-    };
-    if (!shown) return;
-    const {frame, rig, numbers, irradiance} = shown;
-    const {width, height, object: pixels, truth} = numbers;
-    rows[0].name.textContent = object.rigs[rig].spec;
-    source.textContent = sourceOf(frame, rig);
-    if (!point) return blank('Point at a picture to read its pixels.');
-    const [x, y] = [Math.min(width - 1, Math.floor(point[0] * width)), Math.min(height - 1, Math.floor(point[1] * height))];
-    const at = pixels.places[y * width + x];
-    if (at < 0) return blank(`Pixel ${x}, ${y}: not on the object.`);
-    where.textContent = `Pixel ${x}, ${y}`;
-    for (let c = 0; c < 4; ++c) {
-      const of = (planes) => (c < 3 ? planes[c][at] : luminanceAt(planes, at));
-      const [own, exact] = [of(irradiance), of(truth)];
-      const difference = own - exact;
-      const relative = object.mean_irradiance > 0 ? difference / object.mean_irradiance : 0;
-      [digits(own), digits(exact), signed(difference, digits(difference, 4)), signed(relative, digits(100 * relative, 4))].forEach((text, row) => {
-        rows[row].cells[c].textContent = text;
-      });
-      [own, exact, difference, relative].forEach((value, row) => { rows[row].cells[c].dataset.value = value; });
-    }
-  }
-
-  function sourceOf(frame, rig) {
-    const [first, second] = [object.rigs[rig].spec, 'truth'].map((label) => object.pictures.find((picture) => picture.frame === frame.frame && picture.label === label)?.image_exr);
-    if (frame.exact && first && second) return `Channels irradiance.R, .G and .B of ${first} and ${second}, exactly. Mean irradiance: ${figure(object.mean_irradiance)} W/m².`;
-    return `A smaller picture with fewer digits (within 0.4 %)${object.pictures.length ? '; the full one is exact' : ''}. Mean irradiance: ${figure(object.mean_irradiance)} W/m².`;
-  }
-  return {node: element('div', {class: 'values'}, element('div', {class: 'scroller', tabindex: '0', role: 'region', 'aria-label': `Values of a pixel of ${object.name}`}, table), source), show};
-}
-
 function pictureFigures(object, frame, rigIndex) {
   const rig = object.rigs[rigIndex];
   const entries = [['This picture, RMS', percent(frame.rigs[rigIndex].rms)]];
@@ -321,56 +223,4 @@ function pictureFigures(object, frame, rigIndex) {
   }
   entries.push(['All frames, spatial RMS', percent(rig.spatial.rms)], ['All frames, total RMS', percent(rig.total.rms)], ['All frames, total max', percent(rig.total.max)]);
   return entries.map(([term, value]) => element('div', {}, element('dt', {}, term), element('dd', {}, value)));
-}
-
-/** The truth and all rigs of a frame, small; a rig's picture chooses it. */
-function contactSheet(object, store, paint) {
-  const grid = element('div', {class: 'sheet'});
-  const kinds = choice('Show', [{value: 'picture', label: 'Pictures'}, {value: 'paintError', label: 'Differences'}], (value) => {
-    kind = value;
-    draw();
-  });
-  let kind = 'picture';
-  let frame = null;
-  const count = object.rigs.length + 1;
-  grid.style.setProperty('--columns', Math.ceil(count / Math.ceil(count / kSheetColumns)));
-  const thumbnails = ['truth', ...object.rigs.map((rig) => rig.spec)].map((label, i) => thumbnail(label, i - 1, store));
-  grid.append(...thumbnails.map(({node}) => node));
-
-  async function draw() {
-    kinds.show(kind);
-    const drawn = frame;
-    if (!drawn) return;
-    const numbers = await frameNumbers(drawn);
-    for (const {rig, canvas, error} of thumbnails) {
-      const irradiance = await irradianceOf(drawn, rig);
-      await new Promise((done) => setTimeout(done));  // FLIP of a full picture takes a while: others come in between
-      if (drawn !== frame) return;
-      const source = rig >= 0 || kind === 'picture' ? paint[kind](drawn, rig, numbers, irradiance) : paint.picture(drawn, rig, numbers, irradiance);
-      Object.assign(canvas, {width: 280, height: Math.round(280 * source.height / source.width)});
-      const pen = canvas.getContext('2d');
-      pen.imageSmoothingQuality = 'high';
-      pen.drawImage(source, 0, 0, canvas.width, canvas.height);
-      const {flip} = object.pictures.find((picture) => picture.frame === drawn.frame && picture.label === object.rigs[rig]?.spec) ?? {};
-      error.textContent = rig < 0 ? 'exact' : [percent(drawn.rigs[rig].rms), flip === undefined ? null : `FLIP\u00a0${flip.toFixed(3)}`].filter(Boolean).join(' · ');
-    }
-  }
-  kinds.show(kind);
-  return {
-    node: element('div', {class: 'contact'}, element('div', {class: 'bar'}, element('h4', {}, 'All rigs in this frame'), kinds.node), grid),
-    show(shown, chosen) {
-      frame = shown;
-      thumbnails.forEach(({node, rig}) => rig >= 0 && node.setAttribute('aria-pressed', String(rig === chosen)));
-      draw();
-    },
-  };
-}
-
-function thumbnail(label, rig, store) {
-  const canvas = element('canvas', {width: 280, height: 210});
-  const error = element('span', {class: 'error'});
-  const caption = element('span', {class: 'caption'}, element('span', {class: 'spec'}, rig < 0 ? null : swatch(colorOf(label)), label), error);
-  const node = rig < 0 ? element('div', {class: 'thumbnail truth'}, canvas, caption)
-    : element('button', {type: 'button', class: 'thumbnail', 'data-label': label, on: {click: () => store.set({rig: label})}}, canvas, caption);
-  return {node, rig, canvas, error};
 }
