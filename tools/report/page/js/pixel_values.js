@@ -7,7 +7,7 @@ function valueTable(object) {
   }));
   const where = element('caption', {});
   const source = element('p', {class: 'hint'});
-  const table = element('table', {}, where, element('thead', {}, element('tr', {}, element('td'), ...['R', 'G', 'B', 'Luminance'].map((name) => element('th', {scope: 'col'}, name)))),
+  const table = element('table', {}, where, element('thead', {}, element('tr', {}, element('td'), ...[['R', 'Red'], ['G', 'Green'], ['B', 'Blue'], ['Lum.', 'Luminance']].map(([name, title]) => element('th', {scope: 'col', title}, name)))),
     element('tbody', {}, ...rows.map(({name, cells, unit}) => element('tr', {}, element('th', {scope: 'row'}, name, ' ', unit), ...cells))));
 
   /** Five digits tell any two half floats apart. */
