@@ -10,6 +10,9 @@ namespace rigel {
 struct Vec3Rows {
   std::span<const float> x, y, z;
   std::size_t size() const noexcept { return x.size(); }
+  Vec3Rows subrows(std::size_t first, std::size_t count) const noexcept {
+    return {x.subspan(first, count), y.subspan(first, count), z.subspan(first, count)};
+  }
 };
 
 }  // namespace rigel
