@@ -37,6 +37,7 @@ class Rig::Model {
   virtual void setPose(const RigPose& pose) noexcept = 0;
   virtual void adapt(std::span<const float> /*light*/, int /*width*/) noexcept {}
   virtual void basis(Vec3 p, RigBasis& out) const noexcept = 0;
+  virtual void basisBatch(const Vec3Rows& points, int count, std::span<float> values) const noexcept;
 
   RigSpec spec;
   RigBox box;                     // of the current pose; kept by Rig
@@ -59,10 +60,18 @@ struct BoxCoordinates {
     for (int axis = 0; axis < 3; ++axis) inverseHalf[axis] = half[axis] > kLeastExtent ? 1 / half[axis] : 0;
   }
   /// [-1, 1] inside the box; 0 for a coordinate that is not a number.
-  Vec3 operator()(Vec3 p) const noexcept {
-    const auto finite = [](float u) { return u == u ? u : 0.0f; };
-    const Vec3 d = p - centre;
-    return {finite(d.x * inverseHalf.x), finite(d.y * inverseHalf.y), finite(d.z * inverseHalf.z)};
+  Vec3 operator()(Vec3 p) const noexcept { return {along(0, p.x), along(1, p.y), along(2, p.z)}; }
+  float along(int axis, float p) const noexcept {
+    const float u = (p - centre[axis]) * inverseHalf[axis];
+    return u == u ? u : 0.0f;
+  }
+
+  /// Of at most Rig::kMaxBasisBatch points.
+  using Rows = std::array<std::array<float, Rig::kMaxBasisBatch>, 3>;
+  void rows(const Vec3Rows& points, Rows& out) const noexcept {
+    const std::span<const float> from[] = {points.x, points.y, points.z};
+    for (int axis = 0; axis < 3; ++axis)
+      for (std::size_t i = 0; i < points.size(); ++i) out[axis][i] = along(axis, from[axis][i]);
   }
 
  private:

@@ -65,4 +65,21 @@ void Rig::PolyModel::basis(Vec3 p, RigBasis& out) const noexcept {
   }
 }
 
+void Rig::PolyModel::basisBatch(const Vec3Rows& points, int count, std::span<float> values) const noexcept {
+  const std::size_t n = points.size();
+  BoxCoordinates::Rows u;
+  box_.rows(points, u);
+  const auto row = [&](int k) { return values.data() + static_cast<std::size_t>(k) * n; };
+  if (count > 0) {
+    std::fill_n(row(0), n, 1.0f);
+    if (spec.falloff)
+      for (std::size_t i = 0; i < n; ++i) row(0)[i] = 1 / falloff_({u[0][i], u[1][i], u[2][i]});
+  }
+  for (int k = 1; k < count; ++k) {
+    const float *from = row(terms_[k].from), *along = u[terms_[k].axis].data();
+    float* to = row(k);
+    for (std::size_t i = 0; i < n; ++i) to[i] = from[i] * along[i];
+  }
+}
+
 }  // namespace rigel

@@ -25,6 +25,7 @@ class Rig::PolyModel final : public Rig::Model {
   void setPose(const RigPose& pose) noexcept override;
   void adapt(std::span<const float> light, int width) noexcept override;
   void basis(Vec3 p, RigBasis& out) const noexcept override;
+  void basisBatch(const Vec3Rows& points, int count, std::span<float> values) const noexcept override;
 
   /// Exponents of x, y, z in monomial k.
   std::array<std::uint8_t, 3> exponents(int k) const noexcept {

@@ -122,6 +122,22 @@ const std::array<AxisModel, 3>& Rig::axes() const noexcept { return model_->axes
 double Rig::condition() const noexcept { return model_->condition; }
 void Rig::basis(Vec3 p, RigBasis& out) const noexcept { model_->basis(p, out); }
 
+void Rig::basisBatch(const Vec3Rows& points, int count, std::span<float> values) const noexcept {
+  assert(points.size() <= kMaxBasisBatch && count <= static_cast<int>(kMaxBasisBatch) && count <= shVectors());
+  assert(values.size() == static_cast<std::size_t>(count) * points.size());
+  model_->basisBatch(points, count, values);
+}
+
+void Rig::Model::basisBatch(const Vec3Rows& points, int count, std::span<float> values) const noexcept {
+  std::ranges::fill(values, 0.0f);
+  RigBasis at;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    basis({points.x[i], points.y[i], points.z[i]}, at);
+    for (int j = 0; j < at.count; ++j)
+      if (at.index[j] < count) values[static_cast<std::size_t>(at.index[j]) * points.size() + i] = at.value[j];
+  }
+}
+
 void Rig::setPose(const RigPose& pose) noexcept {
   assert(pose.anchors.size() == model_->anchors.size());
   model_->box = pose.box;

@@ -4,6 +4,7 @@
 #include "lattice_kernel.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace rigel {
 namespace {
@@ -131,6 +132,61 @@ void Rig::TensorModel::basis(Vec3 p, RigBasis& out) const noexcept {
           out.value[out.count++] = b * u[slopeAxes_[s - 1]];
         }
       }
+    }
+  }
+}
+
+void Rig::TensorModel::axisRows(int axis, std::span<const float> u, std::span<float> rows) const noexcept {
+  const int nodes = axis_[axis].nodes;
+  std::ranges::fill(rows, nodes == 1 ? 1.0f : 0.0f);
+  if (nodes == 1) return;
+  std::array<float, kMaxGaussVectors> lagrange;
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    int first = 0;
+    std::span<const float> weights;
+    AxisWeights kernel;
+    if (gaussGrid_) {
+      gaussGrid_->axis(axis).lagrange(std::clamp(u[i], -1.0f, 1.0f), lagrange);
+      weights = std::span(lagrange).first(static_cast<std::size_t>(nodes));
+    } else {
+      kernel = axisWeights(spec.kernel, nodes, u[i]);
+      first = kernel.first;
+      weights = std::span(kernel.weight).first(static_cast<std::size_t>(kernel.count));
+    }
+    float* to = rows.data() + static_cast<std::size_t>(first) * u.size() + i;
+    for (float w : weights) {
+      *to = w;
+      to += u.size();
+    }
+  }
+}
+
+void Rig::TensorModel::basisBatch(const Vec3Rows& points, [[maybe_unused]] int count,
+                                  std::span<float> values) const noexcept {
+  const std::size_t n = points.size();
+  const int perNode = 1 + static_cast<int>(slopeAxes_.size());
+  assert(count == perNode * nodes_);
+  BoxCoordinates::Rows u;
+  box_.rows(points, u);
+  // Nodes multiply to kCapacity at most, so that of three axes they sum to no more than two beyond it.
+  std::array<float, (RigBasis::kCapacity + 2) * kMaxBasisBatch> axisValues;
+  std::array<const float*, 3> of;
+  std::size_t end = 0;
+  for (int a = 0; a < 3; ++a) {
+    const std::span<float> rows = std::span(axisValues).subspan(end, static_cast<std::size_t>(axis_[a].nodes) * n);
+    axisRows(a, std::span(u[a]).first(n), rows);
+    of[a] = rows.data();
+    end += rows.size();
+  }
+  for (int node = 0; node < nodes_; ++node) {
+    std::array<const float*, 3> w;
+    for (int a = 0; a < 3; ++a) w[a] = of[a] + static_cast<std::size_t>(node / stride_[a] % axis_[a].nodes) * n;
+    float* value = values.data() + static_cast<std::size_t>(node * perNode) * n;
+    for (std::size_t i = 0; i < n; ++i) value[i] = w[2][i] * w[1][i] * w[0][i];
+    for (int s = 1; s < perNode; ++s) {
+      float* slope = value + static_cast<std::size_t>(s) * n;
+      const float* along = u[slopeAxes_[s - 1]].data();
+      for (std::size_t i = 0; i < n; ++i) slope[i] = value[i] * along[i];
     }
   }
 }

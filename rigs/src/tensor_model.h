@@ -18,6 +18,7 @@ class Rig::TensorModel final : public Rig::Model {
 
   void setPose(const RigPose& pose) noexcept override;
   void basis(Vec3 p, RigBasis& out) const noexcept override;
+  void basisBatch(const Vec3Rows& points, int count, std::span<float> values) const noexcept override;
 
   /// @gauss only.
   const GaussAxis& gaussAxis(int a) const noexcept { return gaussGrid_->axis(a); }
@@ -26,6 +27,8 @@ class Rig::TensorModel final : public Rig::Model {
   void buildSamples();
   void buildOperator();
   void placeSamples() noexcept;
+  /// Of all nodes of an axis, a row each, at coordinates `u`.
+  void axisRows(int axis, std::span<const float> u, std::span<float> rows) const noexcept;
 
   std::array<AxisModel, 3> axis_;  // of x, y, z
   std::array<int, 3> stride_;      // nodes between neighbours along an axis

@@ -38,11 +38,17 @@ struct FittedRig {
   Rig rig;
   std::vector<Vec3> anchors;
   std::vector<Sh> functionals, coefficients;
+  std::vector<float> rows[3], up, zero, irradiance;  // of the surface
 
   explicit FittedRig(const std::string& spec) : rig(*Rig::create(*parseRigSpec(spec), {box, surface})) {
     for (int i : rig.anchors()) anchors.push_back(surface[i]);
     functionals.resize(rig.projections());
     coefficients.resize(rig.shVectors());
+    for (const Vec3 p : surface)
+      for (int axis = 0; axis < 3; ++axis) rows[axis].push_back(p[axis]);
+    up.assign(surface.size(), 1);
+    zero.assign(surface.size(), 0);
+    irradiance.resize(3 * surface.size());
     fit();
   }
   void fit() {
@@ -73,6 +79,16 @@ void addRigCases(std::vector<BenchCase>& cases) {
                            Rgb e = irradiance<3>(evaluateRig<3>(fitted->rig, fitted->coefficients, p), f, {0, 1, 0});
                            benchmark::DoNotOptimize(e);
                          }
+                     }});
+    cases.push_back({"shade.batch." + text, "ns/point", static_cast<double>(fitted->surface.size()), 1, "shade." + text,
+                     [fitted](benchmark::State& state) {
+                       const auto f = wrapCoefficients<3>(0);
+                       const auto& r = fitted->rows;
+                       for (auto _ : state) {
+                         irradianceBatch<3>(fitted->rig, {}, fitted->coefficients, f, {r[0], r[1], r[2]},
+                                            {fitted->zero, fitted->up, fitted->zero}, fitted->irradiance);
+                         benchmark::DoNotOptimize(fitted->irradiance.data());
+                       }
                      }});
   }
 }

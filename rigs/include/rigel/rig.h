@@ -9,6 +9,7 @@
 
 #include <rigel/rig_spec.h>
 #include <rigel/vec3.h>
+#include <rigel/vec3_rows.h>
 
 #include <array>
 #include <memory>
@@ -95,6 +96,10 @@ class Rig {
   /// phi_k(p). Lattice axes and rbf clamp p to the box; gradient and poly extrapolate. A NaN counts as the box's
   /// centre.
   void basis(Vec3 p, RigBasis& out) const noexcept;
+
+  /// The first `count` of them, kMaxBasisBatch at most, at as many points at most: row k of `values` is phi_k at all.
+  static constexpr std::size_t kMaxBasisBatch = 64;
+  void basisBatch(const Vec3Rows& points, int count, std::span<float> values) const noexcept;
 
   /// Condition number of the current least-squares problem (2-norm, estimated within a factor of a few, columns of unit
   /// length); 1 where nothing is solved. Up to about 100 the anchors determine the coefficients well; at kLostRank some

@@ -4,6 +4,7 @@
 #include <rigel/project.h>
 #include <rigel/project_batch.h>
 #include <rigel/rig.h>
+#include <rigel/sh_batch.h>
 #include <rigel/wrap.h>
 
 #include <algorithm>
@@ -164,5 +165,14 @@ Rgb irradiance(const RadianceSH<B>& radiance, const std::array<float, B>& wrapCo
   }
   return sum * static_cast<float>(kPi);
 }
+
+/// Irradiance of a rig that is fitted, at points and unit normals of the world, in vectors (sh_batch.h): row c of
+/// `irradiance` (points.size() numbers) is its colour c, not clamped. `coefficients`: c_k, or the first of them where
+/// the others are 0. To rounding what `irradiance(evaluateRig(...))` gives, point after point where a rig has more than
+/// kMaxShBatch coefficients. Allocates nothing.
+template <int B>
+void irradianceBatch(const Rig& rig, const RigFrame& worldFromRig, std::span<const RadianceSH<B>> coefficients,
+                     const std::array<float, B>& wrapCoefficients, const Vec3Rows& points, const Vec3Rows& normals,
+                     std::span<float> irradiance) noexcept;
 
 }  // namespace rigel
