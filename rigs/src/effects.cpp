@@ -78,9 +78,9 @@ bool callsFor(LightingStage stage, Effects effects, const LightingOptions& wante
   const bool chooses = wanted.target.kind != LightingTarget::Kind::none;
   switch (stage) {
     case LightingStage::bound:
-      return chooses || wanted.nearSlots > 0 || wanted.estimate;
+      return chooses || wanted.slots() > 0 || wanted.estimate;
     case LightingStage::choose:
-      return chooses || wanted.nearSlots > 0;
+      return chooses || wanted.slots() > 0;
     case LightingStage::estimate:
       return wanted.estimate && !chooses;  // who chooses has the estimate from its choice
     case LightingStage::project:

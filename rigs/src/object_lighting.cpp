@@ -1,5 +1,6 @@
 #include <rigel/near_batch.h>
 #include <rigel/object_lighting.h>
+#include <rigel/sh_batch.h>
 
 #include <algorithm>
 
@@ -134,23 +135,27 @@ auto ObjectLighting<B>::shade(Vec3 p, Vec3 n, const MaterialWrap<B>& wrap) const
 }
 
 template <int B>
+void ObjectLighting<B>::rigIrradiance(const Vec3Rows& points, const Vec3Rows& normals, const MaterialWrap<B>& wrap,
+                                      std::span<float> irradiance) const noexcept {
+  const State& s = *state_;
+  irradianceBatch<B>(s.rig, s.frame, coefficients(), wrap.bands, points, normals, irradiance);
+  if (s.high.band == 0) return;
+  const auto l = static_cast<std::size_t>(s.high.band);
+  addBandIrradianceBatch(s.high.band, std::span(s.high.c).first(2 * l + 1), wrap.allBands[l], normals, irradiance);
+}
+
+template <int B>
 void ObjectLighting<B>::shade(const Vec3Rows& points, const Vec3Rows& normals, const MaterialWrap<B>& wrap,
                               std::span<Parts> out) const noexcept {
   constexpr std::size_t kBlock = 256;
-  float near[3 * kBlock];
+  float rig[3 * kBlock], near[3 * kBlock];
   for (std::size_t at = 0; at < points.size(); at += kBlock) {
     const std::size_t count = std::min(kBlock, points.size() - at);
-    const auto blockOf = [&](const Vec3Rows& rows) -> Vec3Rows {
-      return {rows.x.subspan(at, count), rows.y.subspan(at, count), rows.z.subspan(at, count)};
-    };
-    const Vec3Rows p = blockOf(points), n = blockOf(normals);
-    if (!state_->near.empty()) nearIrradianceBatch(state_->near, p, n, wrap.near, std::span(near).first(3 * count));
-    for (std::size_t k = 0; k < count; ++k) {
-      Parts& parts = out[at + k];
-      parts.rig = rigIrradiance({p.x[k], p.y[k], p.z[k]}, {n.x[k], n.y[k], n.z[k]}, wrap);
-      parts.near = {};
-      if (!state_->near.empty()) parts.near = {near[k], near[count + k], near[2 * count + k]};
-    }
+    const Vec3Rows p = points.subrows(at, count), n = normals.subrows(at, count);
+    rigIrradiance(p, n, wrap, std::span(rig).first(3 * count));
+    nearIrradianceBatch(state_->near, p, n, wrap.near, std::span(near).first(3 * count));
+    for (std::size_t k = 0; k < count; ++k)
+      out[at + k] = {{rig[k], rig[count + k], rig[2 * count + k]}, {near[k], near[count + k], near[2 * count + k]}};
   }
 }
 

@@ -51,7 +51,7 @@ struct ObjectLighting<B>::State {
     anchors.assign(rig.anchors().begin(), rig.anchors().end());
     measured = chooses() || options.estimate;
     if (measured) anchors.insert(anchors.end(), check.extraAnchors().begin(), check.extraAnchors().end());
-    slots = chooses() && options.nearSlots == 0 ? kMaxNearLights : options.nearSlots;
+    slots = options.slots();
     nearFar.options().slots = slots;
     // With slots to spare a light may take its time to leave: the rig has it before it is gone.
     if (chooses() && slots == kMaxNearLights) nearFar.options().fallShare = kFallShare;

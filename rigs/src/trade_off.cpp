@@ -24,7 +24,7 @@ constexpr float kWindow = 0.25f;
 constexpr float kHeld = 0.03f;
 // Of the squared total target, left to the spatial part where truncation alone takes all of it.
 constexpr float kLeastRoom = 0.04f;
-constexpr float kUnfit = 300;  // ns a doubling of the target that a choice misses
+constexpr float kUnfit = 100;  // SH vectors whose time a doubling of the target is worth that a choice misses
 // Of the error of all lights left out; targets below it are held there.
 constexpr float kLeastTarget = 1e-12f;
 
@@ -216,8 +216,8 @@ void TradeOff::weightsAt(float level, std::span<float> weights) const {
 }
 
 float TradeOff::nanoseconds(const CostModel& cost, float vectors, float nearLights, float highBand) {
-  return cost.base * std::min(1.0f, vectors) + cost.vector * vectors + cost.nearLight * nearLights +
-         cost.highBand * highBand;
+  return cost.base * std::min(1.0f, vectors) + cost.vector * vectors + cost.anyNear * std::min(1.0f, nearLights) +
+         cost.nearLight * nearLights + cost.highBand * highBand;
 }
 
 float TradeOff::spatialRoom(const Request& request, float truncation) {
@@ -272,7 +272,7 @@ void TradeOff::choose(const Request& request, Choice& choice) const {
     missed = std::max(missed, over(level.beyond[most], option.spatial));
     option.vectors = vectors;
     option.nanoseconds = nanoseconds(request.cost, vectors, level.nearLights, high ? 1 : 0);
-    option.objective = option.nanoseconds + kUnfit * std::log2(std::max(missed, 1.0f));
+    option.objective = option.nanoseconds + kUnfit * request.cost.vector * std::log2(std::max(missed, 1.0f));
     return option;
   };
 

@@ -107,7 +107,7 @@ TEST_F(FrameBudget, IsHeldByAllTogetherAndWhatTheyGaveUpIsSaid) {
 
 TEST(FrameBudgetOfOne, SharesWithNobody) {
   RunOptions options = quickRun("sample:street", "10:30:10", "auto");
-  options.budget = 700;
+  options.budget = 70;
   const auto report = run(options);
   ASSERT_TRUE(report) << report.error().line();
   const RigReport& rig = report->scenes[0].objects[0].rigs[0];
@@ -115,7 +115,7 @@ TEST(FrameBudgetOfOne, SharesWithNobody) {
   EXPECT_FALSE(rig.budget->alone);
   EXPECT_GT(rig.budget->granted, 0.02);
   EXPECT_EQ(givenUp(rig), "");
-  EXPECT_LE(report->scenes[0].budgets.at(0).most, 1.05 * 700);
+  EXPECT_LE(report->scenes[0].budgets.at(0).most, 1.05 * 70);
 }
 
 }  // namespace

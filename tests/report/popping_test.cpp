@@ -46,7 +46,7 @@ std::vector<Choice> choices() {
         choice.options.rigs = {choice.rig};
         choice.options.near = *parseNear(near);
         choice.hard = hard;
-        choice.slots = lightingOptions(choice.rig, choice.options).nearSlots;
+        choice.slots = lightingOptions(choice.rig, choice.options).slots();
         all.push_back(choice);
       }
     }

@@ -57,6 +57,10 @@ TEST(RunOptions, AutoRigsChooseAndOthersWhenTold) {
   EXPECT_EQ(lightingOptions(adaptive, options).target.kind, Kind::spatialError);
   EXPECT_EQ(lightingOptions(adaptive, options).nearSlots, 2);
 
+  options.near = NearChoice{false, 0};
+  EXPECT_EQ(lightingOptions(adaptive, options).target.kind, Kind::spatialError);
+  EXPECT_EQ(lightingOptions(adaptive, options).slots(), 0) << "none is none, not as many as it likes";
+
   options.near = NearChoice{true, 0};
   options.target = LightingTarget{Kind::totalError, 0.03f};
   for (const RigSpec& rig : {fixed, adaptive}) {

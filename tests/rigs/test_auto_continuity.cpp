@@ -93,7 +93,7 @@ struct Aim {
   std::string spec, name;
   Kind kind;
   float value;
-  int slots;
+  std::optional<int> slots;
 };
 
 void PrintTo(const Aim& aim, std::ostream* out) { *out << aim.name; }
@@ -130,12 +130,12 @@ TEST_P(AutoContinuity, JumpsShrinkWithTheFrame) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Targets, AutoContinuity,
-                         testing::Values(Aim{"auto", "spatial05", Kind::spatialError, 0.05f, 0},
-                                         Aim{"auto", "spatial02", Kind::spatialError, 0.02f, 0},
-                                         Aim{"auto", "total03", Kind::totalError, 0.03f, 0},
+                         testing::Values(Aim{"auto", "spatial05", Kind::spatialError, 0.05f, {}},
+                                         Aim{"auto", "spatial02", Kind::spatialError, 0.02f, {}},
+                                         Aim{"auto", "total03", Kind::totalError, 0.03f, {}},
                                          Aim{"auto", "total03near2", Kind::totalError, 0.03f, 2},
-                                         Aim{"auto", "budget150ns", Kind::budget, 1500, 0},
-                                         Aim{"auto", "budget300ns", Kind::budget, 3000, 0},
+                                         Aim{"auto", "budget150ns", Kind::budget, 1500, {}},
+                                         Aim{"auto", "budget300ns", Kind::budget, 3000, {}},
                                          Aim{"poly:6", "poly6total03", Kind::totalError, 0.03f, 4},
                                          Aim{"poly:6", "poly6near2", Kind::none, 0, 2}),
                          [](const auto& aim) { return aim.param.name; });

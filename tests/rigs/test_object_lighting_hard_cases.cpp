@@ -145,13 +145,14 @@ struct Choice {
 
   std::string name() const {
     const char* const kinds[] = {"fixed", "spatial", "total", "budget"};
-    return spec + ", " + kinds[static_cast<int>(options.target.kind)] + ", slots " + std::to_string(options.nearSlots);
+    return spec + ", " + kinds[static_cast<int>(options.target.kind)] + ", slots " +
+           (options.nearSlots ? std::to_string(*options.nearSlots) : "free");
   }
 };
 
 std::vector<Choice> choices() {
   std::vector<Choice> all;
-  const auto add = [&](const std::string& spec, Kind kind, float value, int slots) {
+  const auto add = [&](const std::string& spec, Kind kind, float value, std::optional<int> slots) {
     Choice choice{spec, {}};
     choice.options.target = {kind, value};
     choice.options.nearSlots = slots;
@@ -160,12 +161,12 @@ std::vector<Choice> choices() {
   };
   for (const std::string spec : {"constant", "mixed:l3,g,c", "poly:6", "lattice:3x2x2"})
     for (const int slots : {0, 2, 4}) add(spec, Kind::none, 0, slots);
-  for (const int slots : {0, 2}) {
+  for (const std::optional<int> slots : {std::optional<int>(), std::optional(0), std::optional(2)}) {
     add("auto", Kind::spatialError, 0.05f, slots);
     add("auto", Kind::totalError, 0.03f, slots);
     add("auto", Kind::budget, 1500, slots);
   }
-  add("poly:6", Kind::totalError, 0.03f, 0);
+  add("poly:6", Kind::totalError, 0.03f, {});
   return all;
 }
 
@@ -196,8 +197,8 @@ void check(const HardCase& hard, Choice choice, float wrap, Outcomes& outcomes) 
   }
   EXPECT_NEAR(shares, hard.shines ? 1 : 0, 1e-4) << what;
   EXPECT_EQ(near, lit.lighting.nearLights().size()) << what;
-  if (choice.options.nearSlots > 0) {
-    EXPECT_LE(near, static_cast<std::size_t>(choice.options.nearSlots)) << what;
+  if (choice.options.nearSlots) {
+    EXPECT_LE(near, static_cast<std::size_t>(*choice.options.nearSlots)) << what;
   }
   ASSERT_TRUE(lit.lighting.spatialEstimate() && lit.lighting.totalEstimate()) << what;
   EXPECT_TRUE(std::isfinite(*lit.lighting.spatialEstimate())) << what;
@@ -217,7 +218,7 @@ void check(const HardCase& hard, Choice choice, float wrap, Outcomes& outcomes) 
   EXPECT_TRUE(finite) << what;
 
   const Kind kind = choice.options.target.kind;
-  const bool free = choice.spec == "auto" && choice.options.nearSlots == 0;
+  const bool free = choice.spec == "auto" && !choice.options.nearSlots;
   if (!hard.shines || !hard.judged || !free || kind == Kind::budget) return;
   const LightingErrors errors = lit.errors(hard.lights, 4);
   const double truth = (kind == Kind::totalError ? errors.total : errors.spatial) / errors.mean;

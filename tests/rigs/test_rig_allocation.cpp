@@ -128,17 +128,17 @@ TEST(RigAllocation, ObjectLightingAllocatesNothingAfterItsFirstFrame) {
   struct Case {
     std::string spec;
     LightingTarget target;
-    int slots;
+    std::optional<int> slots;
   };
   const std::vector<Case> cases = {{"poly:6", {}, 4},
                                    {"constant", {}, 0},
                                    {"invquad:6", {}, 2},
                                    {"auto", {}, 2},
-                                   {"auto", {Kind::spatialError, 0.02f}, 0},
-                                   {"auto", {Kind::totalError, 0.03f}, 0},
+                                   {"auto", {Kind::spatialError, 0.02f}, {}},
+                                   {"auto", {Kind::totalError, 0.03f}, {}},
                                    {"auto", {Kind::totalError, 0.02f}, 2},
-                                   {"auto", {Kind::budget, 2000}, 0},
-                                   {"poly:6", {Kind::totalError, 0.03f}, 0}};
+                                   {"auto", {Kind::budget, 2000}, {}},
+                                   {"poly:6", {Kind::totalError, 0.03f}, {}}};
   LightSet lights;
   for (const auto& [spec, target, slots] : cases) {
     LightingOptions options;
@@ -171,7 +171,7 @@ TEST(RigAllocation, ObjectLightingAllocatesNothingAfterItsFirstFrame) {
       if (frame > 0) counted += allocations - before;
     }
     EXPECT_EQ(counted, 0) << spec << ", target " << static_cast<int>(options.target.kind) << ", slots "
-                          << options.nearSlots;
+                          << options.slots();
   }
 }
 

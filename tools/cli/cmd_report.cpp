@@ -130,7 +130,7 @@ Command addReport(CLI::App& root) {
       "rbf:K (radial basis functions), latticegrad:AxBxC[:linear|smooth] and hermite:AxBxC (values and slopes).\n\n"
       "Examples: rigel report sample:street --rig \"gradient;poly:6\" --out street\n"
       "          rigel report sample:touch --rig \"auto;poly:6\" --near auto --error 0.02 --out touch\n"
-      "          rigel report crowd.glb --lights sample:street --rig auto --budget-us 3000 --out crowd");
+      "          rigel report crowd.glb --lights sample:street --rig auto --budget-us 300 --out crowd");
   return {app, [arguments] { return runReportCommand(*arguments); }};
 }
 

@@ -35,8 +35,7 @@ std::vector<NearSetting> nearOfAuto(bool curve) {
     for (const float error : kManyTargets)
       if (curve || error == kDefaultTarget.value) all.push_back({kAutomatic, LightingTarget{kind, error}});
   if (!curve) return all;
-  for (const int count : kNearCounts)
-    if (count > 0) all.push_back({{false, count}, kDefaultTarget});  // 0 would leave the number to it
+  for (const int count : kNearCounts) all.push_back({{false, count}, kDefaultTarget});
   return all;
 }
 

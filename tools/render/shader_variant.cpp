@@ -106,7 +106,7 @@ std::vector<ShaderVariant> possibleVariants(const RigRunner& runner, const GpuRi
   for (const bool hasRig : {true, false}) {
     if (!hasRig && !chooses) continue;
     for (const bool near : {false, true}) {
-      if (near && (nearKinds.empty() || (!chooses && asked.nearSlots == 0))) continue;
+      if (near && (nearKinds.empty() || asked.slots() == 0)) continue;
       for (const bool high : {false, true}) {
         if (high && asked.target.kind != LightingTarget::Kind::totalError &&
             asked.target.kind != LightingTarget::Kind::budget)

@@ -44,7 +44,7 @@ std::string goalOf(const LightLogContext& context) {
   if (context.budget) return fmt::format("{:g} us a frame for all objects", *context.budget);
   if (context.asked.target.kind != Kind::none)
     return "target " + percent(static_cast<double>(context.asked.target.value));
-  return counted(context.asked.nearSlots, "near light") + " at most";
+  return counted(context.asked.slots(), "near light") + " at most";
 }
 
 std::string whyFar(const LightReport& use, const LightLogContext& context) {
@@ -52,7 +52,7 @@ std::string whyFar(const LightReport& use, const LightLogContext& context) {
   const std::string error = fmt::format("far: in the rig it is wrong by at most {}", ofMeanLight(use.bound));
   const LightingOptions& asked = context.asked;
   if (asked.target.kind == Kind::none)
-    return error + (asked.nearSlots == 0 ? "; no light is evaluated apart" : "; others come before it");
+    return error + (asked.slots() == 0 ? "; no light is evaluated apart" : "; others come before it");
   if (use.bound <= static_cast<double>(asked.target.value)) return error;
   return error + (context.budget ? "; others take the budget" : "; by the rig's estimate the target is met without it");
 }

@@ -212,7 +212,8 @@ class RunnerOf final : public RigRunner {
 double fitMicroseconds(const FitTimes& times, const LightingOptions& asked) {
   double sum = 0;
   for (std::size_t stage = 0; stage < FitTimes::kStages; ++stage) {
-    const bool counts = stage != FitTimes::kEstimate && (stage != FitTimes::kBound || asked.nearSlots > 0);
+    const bool bounds = asked.slots() > 0 || asked.target.kind != LightingTarget::Kind::none;
+    const bool counts = stage != FitTimes::kEstimate && (stage != FitTimes::kBound || bounds);
     if (counts) sum += times.stages[stage].value_or(0);
   }
   return sum;

@@ -14,7 +14,7 @@ constexpr int kWidth = 27;
 constexpr int kRankVectors = 6;
 
 float nanoseconds(const CostModel& cost, int vectors, int near, bool high) {
-  return (vectors > 0 ? cost.base : 0) + cost.vector * static_cast<float>(vectors) +
+  return (vectors > 0 ? cost.base : 0) + cost.vector * static_cast<float>(vectors) + (near > 0 ? cost.anyNear : 0) +
          cost.nearLight * static_cast<float>(near) + (high ? cost.highBand : 0);
 }
 

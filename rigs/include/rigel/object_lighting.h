@@ -29,26 +29,38 @@ struct LightingTarget {
   float value = 0;
 };
 
-/// Modelled time [ns] of shading one point, so that choices depend on no clock. The defaults are those of `shade` at
-/// one point on one CPU core (`rigel bench --filter shade`, `--filter near`), where near lights cost what they do
-/// beside a shader's rig; at many points they cost a tenth. A GPU's ratios are the caller's to measure.
+/// Modelled time [ns] of shading one point, so that choices depend on no clock. What counts is their ratio: a near
+/// light costs as much as two SH vectors in a shader, as five on a CPU that shades many points.
 struct CostModel {
-  float base = 42;       // a rig at all: the normal's SH basis and the convolution
-  float vector = 1.8f;   // each SH vector of the rig
-  float nearLight = 21;  // each near light
-  float nearWrap = 34;   // the same on materials with wrap
-  float highBand = 15;   // the constant high band
+  float base = 2.5f;       // a rig at all: the normal's SH basis and the convolution
+  float vector = 2.6f;     // each SH vector of the rig
+  float anyNear = 7;       // near lights at all
+  float nearLight = 5.2f;  // each of them
+  float nearWrap = 7.7f;   // the same on materials with wrap
+  float highBand = 2;      // the constant high band
+
+  /// Of shaders, on Mesa's lavapipe (`rigel bench --filter '^gpu'`); the counted arithmetic has the same ratios. The
+  /// default.
+  static constexpr CostModel shaders() noexcept { return {}; }
+  /// Of `ObjectLighting::shade` with many points on one core, in vectors (`rigel bench --filter
+  /// '^shade.batch|^near.batch'`).
+  static constexpr CostModel cpu() noexcept { return {2.1f, 0.3f, 0, 1.5f, 1.9f, 1.2f}; }
 };
 
 struct LightingOptions {
   LightingTarget target;
-  int nearSlots = 0;
+  /// Near lights at most. Empty: as many as the target asks for, up to kMaxNearLights; none without a target.
+  std::optional<int> nearSlots;
   float reference = 0;    // [W/m2] irradiance that errors are relative to (what the exposure shows as mid-grey); 0: the
                           // object's own mean in the frame
   float wrap = 0;         // of the object's materials
   int points = 10000;     // shaded a frame, for budgets
   bool estimate = false;  // wanted even where the choice does not need it; decided when it is made
   CostModel cost;
+
+  int slots() const noexcept {
+    return nearSlots.value_or(target.kind == LightingTarget::Kind::none ? 0 : kMaxNearLights);
+  }
 };
 
 /// Why a light is where it is.
@@ -139,14 +151,15 @@ class ObjectLighting {
   };
   Parts shade(Vec3 p, Vec3 n, const MaterialWrap<B>& wrap) const noexcept;
 
-  /// The same at many points, the near lights in vectors (near_batch.h): to rounding what one point after another
-  /// gives.
+  /// The same at many points, in vectors (sh_batch.h, near_batch.h): to rounding what one point after another gives.
   void shade(const Vec3Rows& points, const Vec3Rows& normals, const MaterialWrap<B>& wrap,
              std::span<Parts> out) const noexcept;
 
  private:
   struct State;
   Rgb rigIrradiance(Vec3 p, Vec3 n, const MaterialWrap<B>& wrap) const noexcept;
+  void rigIrradiance(const Vec3Rows& points, const Vec3Rows& normals, const MaterialWrap<B>& wrap,
+                     std::span<float> irradiance) const noexcept;
   explicit ObjectLighting(std::unique_ptr<State> state) noexcept;
   std::unique_ptr<State> state_;
 };
