@@ -11,7 +11,7 @@ const label = (page) => canvas(page).getAttribute('aria-label');
 /** Scrolled to, and drawn. */
 async function opened(page) {
   await card(page).scrollIntoViewIfNeeded();
-  await page.waitForFunction(() => document.querySelector('.view3d canvas').getAttribute('aria-label'));
+  await card(page).locator('.view3d-message').waitFor({state: 'hidden'});
   await settled(page);
 }
 
@@ -110,6 +110,9 @@ pageTest('its scale has units and steps', 'made-up', async ({page}) => {
   const top = () => card(page).locator('.view3d-legend .ticks span').last().textContent();
   const before = await top();
   assert.match(before, /≥ [\d.]+\u00a0%/);
+  const ramp = await card(page).locator('.view3d-legend .ramp').boundingBox();
+  const last = await card(page).locator('.view3d-legend .ticks span').last().boundingBox();
+  assert.ok(ramp.height > 4 && Math.abs(last.x + last.width - ramp.x - ramp.width) < 2, 'the scale has no colours over its figures');
   await changes(page, 'a finer scale', () => card(page).getByRole('button', {name: 'Finer scale'}).click());
   assert.notEqual(await top(), before);
   await card(page).getByRole('button', {name: 'Coarser scale'}).click();
@@ -170,10 +173,11 @@ pageTest('without WebGL there is a sentence', 'made-up', async ({page}) => {
 for (const name of reports) {
   pageTest('every view opens, one after another', name, async ({page}) => {
     const views = await page.locator('.view3d').all();
-    for (const view of views) {
+    // And back: only so many are kept open.
+    for (const view of [...views, ...views.toReversed()]) {
       await view.scrollIntoViewIfNeeded();
-      await view.locator('canvas[aria-label]').waitFor();
       await view.locator('.view3d-message').waitFor({state: 'hidden'});
+      assert.match(await view.locator('canvas').getAttribute('aria-label'), /Total RMS/);
     }
     assert.equal(views.length, {'made-up': 1, crowd: 3, smallest: 0, hostile: 1}[name] ?? views.length);
   }, onPhone);

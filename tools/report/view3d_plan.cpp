@@ -12,7 +12,7 @@ constexpr std::size_t kLeastVertices = 1000;
 constexpr std::size_t kLeastFrames = 4;
 constexpr std::size_t kFewestVertices = 64;
 // Vertices come before frames up to here.
-constexpr std::size_t kGoodVertices = 3500;
+constexpr std::size_t kGoodVertices = 4500;
 // What deflating and base64 make of recorded bytes; a view that turns out larger loses frames (view3d_json).
 constexpr double kPacked = 0.8;
 constexpr std::size_t kLightsPart = 10;  // of a scene's bytes one in so many is for its lights

@@ -8,7 +8,7 @@ namespace rigel::tools {
 
 /// What a report's views may take on the page and in time. What does not fit is left out, and the page says so.
 struct ViewBudget {
-  std::size_t bytes = 1'300'000;         // on the page, as base64
+  std::size_t bytes = 1'400'000;         // on the page, as base64
   std::size_t evaluations = 30'000'000;  // of a light's exact irradiance at a vertex: a second on one core
   std::size_t objects = 8;
 };

@@ -1,6 +1,6 @@
 // The 3-D view of an object: the card with its controls. What it draws is in view3d_stage, view3d_surface and view3d_lights.
 
-const kLiveViews = 4;  // browsers keep a dozen or so WebGL contexts for all pages together
+const kLiveViews = 2;  // browsers keep few WebGL contexts, for all pages together
 const liveViews = [];
 const kViewParts = [
   {value: 'box', label: 'Box', title: 'The rig’s box in this frame'},
@@ -11,12 +11,12 @@ const kViewParts = [
 /** The card, or null where the report holds no view of the object. */
 function view3dCard(object, index, store) {
   const packed = views3d?.objects[index];
-  if (!packed || !object.rigs.length) return null;
-  const scene = views3d.scenes[object.scene_index];
+  const scene = views3d?.scenes[object.scene_index];
+  if (!scene || !object.rigs.length) return null;
+  if (!packed) return element('p', {class: 'hint'}, 'No 3-D view: the report has room for the objects whose rigs are most wrong.');
   const moments = packed.frames.map((frame) => scene.frames[frame]);  // indices into object.truth
   const state = {surface: 'absolute', scale: null, moment: 0, parts: new Set(kViewParts.map(({value}) => value)), rig: 0};
 
-  const canvas = element('canvas', {tabindex: '0', role: 'img', class: 'view3d-canvas'});
   const message = element('p', {class: 'view3d-message'}, 'Unpacking…');
   const readout = element('div', {class: 'readout view3d-readout', hidden: true});
   const labels = element('div', {class: 'view3d-labels', 'aria-hidden': 'true'});
@@ -32,10 +32,11 @@ function view3dCard(object, index, store) {
   const tools = element('div', {class: 'view3d-tools'},
     element('button', {type: 'button', class: 'quiet', title: 'The object fills the view (Home)', on: {click: () => frameObject()}}, 'Object'),
     element('button', {type: 'button', class: 'quiet', title: 'Shows the lights around it too', on: {click: () => frameLights()}}, 'Lights'));
-  const frame = element('div', {class: 'view3d-frame'}, canvas, labels, readout, tools, message);
   let live = null;
   let opening = false;
   let unpacked = null;
+  let canvas = freshCanvas();
+  const frame = element('div', {class: 'view3d-frame'}, canvas, labels, readout, tools, message);
 
   function change(changes) {
     Object.assign(state, changes);
@@ -59,6 +60,22 @@ function view3dCard(object, index, store) {
     readout.hidden = true;
     canvas.setAttribute('aria-label', describe());
     stage.redraw();
+  }
+
+  /** A canvas whose context was given up gets no other. */
+  function freshCanvas() {
+    const node = element('canvas', {tabindex: '0', role: 'img', class: 'view3d-canvas', 'aria-label': `3-D view of ${object.name}`});
+    followPointer(node, readout, () => live, (hit) => hoverLines(hit, object.rigs[state.rig]));
+    node.addEventListener('keydown', (event) => {
+      if (!live || event.ctrlKey || event.metaKey || event.altKey) return;
+      const act = {ArrowLeft: () => live.stage.orbit(-kOrbitStep, 0), ArrowRight: () => live.stage.orbit(kOrbitStep, 0),
+        ArrowUp: () => live.stage.orbit(0, kOrbitStep), ArrowDown: () => live.stage.orbit(0, -kOrbitStep), '+': () => live.stage.zoom(1 / kDollyStep),
+        '=': () => live.stage.zoom(1 / kDollyStep), '-': () => live.stage.zoom(kDollyStep), Home: frameObject, ' ': () => time.toggle()}[event.key];
+      if (!act) return;
+      event.preventDefault();
+      act();
+    });
+    return node;
   }
 
   const frameObject = () => live?.stage.reset(boxCorners(live.view, state.moment));
@@ -115,10 +132,11 @@ function view3dCard(object, index, store) {
     liveViews.splice(liveViews.findIndex((other) => other.frame === frame), 1);
     live.stage.dispose();
     live = null;
-    const fresh = canvas.cloneNode();
+    const fresh = freshCanvas();
     canvas.replaceWith(fresh);
+    canvas = fresh;
     message.hidden = false;
-    message.textContent = 'Closed to spare memory: scroll here again.';
+    message.textContent = 'Closed to spare memory; opens when it is scrolled to.';
   }
 
   function paint() {
@@ -128,16 +146,6 @@ function view3dCard(object, index, store) {
     live.stage.paint(frame);
   }
 
-  followPointer(canvas, readout, () => live, (hit) => hoverLines(hit, object.rigs[state.rig]));
-  canvas.addEventListener('keydown', (event) => {
-    if (!live || event.ctrlKey || event.metaKey || event.altKey) return;
-    const act = {ArrowLeft: () => live.stage.orbit(-kOrbitStep, 0), ArrowRight: () => live.stage.orbit(kOrbitStep, 0),
-      ArrowUp: () => live.stage.orbit(0, kOrbitStep), ArrowDown: () => live.stage.orbit(0, -kOrbitStep), '+': () => live.stage.zoom(1 / kDollyStep),
-      '=': () => live.stage.zoom(1 / kDollyStep), '-': () => live.stage.zoom(kDollyStep), Home: frameObject, ' ': () => time.toggle()}[event.key];
-    if (!act) return;
-    event.preventDefault();
-    act();
-  });
   store.watch(({rig, cursor}) => {
     const chosen = Math.max(0, object.rigs.findIndex((candidate) => candidate.spec === rig));
     rigs.show(object.rigs[chosen].spec);
