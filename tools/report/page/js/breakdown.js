@@ -52,9 +52,3 @@ function barRows(root, width, rows) {
     return node;
   });
 }
-
-/** The cards of what the report says about an object's errors: causes, then body parts and sizes side by side. */
-function errorBreakdown(object, store) {
-  const halves = [bodyPartErrors(object, store), errorHistogram(object, store)].filter(Boolean);
-  return [errorParts(object, store), halves.length ? element('div', {class: 'charts halves'}, ...halves) : null].filter(Boolean);
-}

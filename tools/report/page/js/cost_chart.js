@@ -32,18 +32,7 @@ function costChart(object, store) {
     if (hadFocus >= 0) points[hadFocus].node.focus();
   });
 
-  place.addEventListener('keydown', (event) => {
-    const at = points.findIndex(({node}) => node === document.activeElement);
-    if (at < 0) return;
-    const next = {ArrowRight: at + 1, ArrowDown: at + 1, ArrowLeft: at - 1, ArrowUp: at - 1, Home: 0, End: points.length - 1}[event.key];
-    if (event.key === 'Enter' || event.key === ' ') store.set({rig: points[at].rig.spec});
-    else if (next === undefined) return;
-    event.preventDefault();
-    if (!points[next]) return;
-    points[at].node.setAttribute('tabindex', '-1');
-    points[next].node.setAttribute('tabindex', '0');
-    points[next].node.focus();
-  });
+  walkWithKeys(place, () => points.map(({node}) => node), (i) => store.set({rig: points[i].rig.spec}));
   settings.watch(({cost, error}) => {
     costChoice.show(cost);
     kind.show(error);

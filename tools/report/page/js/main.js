@@ -10,19 +10,18 @@ function objectSection(object, index) {
   const section = element('section', {class: 'object', id: `object-${index}`, 'aria-labelledby': `object-${index}-name`});
   const facts = [sceneTitle(sceneOf(object)), plural(object.triangles, 'triangle'), plural(object.samples, 'surface sample'),
     plural(sceneOf(object).frames, 'frame'), `mean irradiance ${figure(object.mean_irradiance)} W/m²`].join(' · ');
-  const parts = [];
-  if (frames.length) parts.push(gallery(object, frames, store));
-  const view3d = view3dCard(object, index, store);
-  if (view3d) parts.push(view3d);
-  if (object.rigs.length) {
-    parts.push(rigTable(object, store));
-    const charts = element('div', {class: 'charts'});
-    if (object.truth.length > 1) charts.append(timeChart(object, frames, store));
-    if (object.rigs.length > 1) charts.append(costChart(object, store));
-    parts.push(charts);
-    parts.push(...errorBreakdown(object, store));
-    if (object.rigs.some((rig) => rig.lights.length)) parts.push(lightTable(object, store));
-  }
+  const row = (name, ...cards) => (cards.some(Boolean) ? element('div', {class: `charts ${name}`}, ...cards) : null);
+  const some = object.rigs.length > 0;
+  const moving = object.truth.length > 1;
+  const parts = [
+    frames.length ? gallery(object, frames, store) : null,
+    some ? rigTable(object, store) : null,
+    row('cost-and-causes', object.rigs.length > 1 ? costChart(object, store) : null, errorParts(object, store)),
+    some && moving ? timeChart(object, frames, store) : null,
+    row('halves', bodyPartErrors(object, store), errorHistogram(object, store)),
+    view3dCard(object, index, store),
+    object.rigs.some((rig) => rig.lights.length) ? lightTable(object, store) : null,
+  ].filter(Boolean);
   section.append(objectBar(object, index, parts), element('p', {class: 'facts'}, facts), ...(object.verdict ? [verdictSentence(object)] : []), ...parts);
   return section;
 }

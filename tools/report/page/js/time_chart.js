@@ -139,7 +139,7 @@ function timePanels(object, width, {error, scale}, rigs, chosen, frames) {
     {title: `${error} RMS, %`, height: 250, y: errorScale, className: 'errors', marks: [
       lines(errors.map(above(low)), 'error-lines'),
       estimates.length ? lines(estimates.map(above(low)), 'estimate-line', {strokeWidth: 2, strokeDasharray: '5 4'}) : null,
-      Plot.dot(frames, {x: 'time', y: () => low, symbol: 'triangle', fill: 'var(--accent)', r: 4, dy: 4, className: 'pictured', clip: false}),
+      Plot.dot(frames, {x: 'time', y: () => low, symbol: 'triangle', fill: ({exact}) => (exact === false ? 'var(--muted)' : 'var(--accent)'), r: ({exact}) => (exact === false ? 2.5 : 4), dy: 4, className: 'pictured', clip: false}),
     ]},
   ];
   if (jumps.some(({value}) => value > 0)) {
@@ -184,7 +184,7 @@ function timePanel(width, times) {
     const root = height === 0 ? null : Plot.plot({
       width, height: height + (isLast ? 34 : 4), marginLeft: kTimeMargin.left, marginRight: kTimeMargin.right, marginTop: 8, marginBottom: isLast ? 38 : 8, style: chartStyle,
       x: {domain: times, label: isLast ? 'time, s' : null, labelArrow: 'none', labelAnchor: 'right', ticks: Math.max(3, Math.round(width / 90)), axis: isLast ? 'bottom' : null, tickFormat: tickLabel},
-      y: {...y, label: null}, color: {type: 'identity'}, symbol: {type: 'identity'},
+      y: {...y, label: null}, color: {type: 'identity'}, symbol: {type: 'identity'}, r: {type: 'identity'},
       marks: [Plot.gridY({ticks: y.ticks, ...gridStyle}), ...(typeof marks === 'function' ? marks(y) : marks)],
     });
     root?.setAttribute('aria-hidden', 'true');
