@@ -106,3 +106,11 @@ for (const view of everyView) {
 }
 
 pageTest('printed, nothing is cut off at the right', 'made-up', ({page}) => page.emulateMedia({media: 'print'}), {views: [{...laptop, width: 1060}]});
+
+pageTest('the bar of an object shows which part is being read', 'made-up', async ({page}) => {
+  const last = page.locator('.object-bar nav').first().locator('a').last();
+  await page.evaluate((id) => document.getElementById(id).scrollIntoView({behavior: 'instant'}), (await last.getAttribute('href')).slice(1));
+  await page.locator('.object-bar nav').first().locator('a[aria-current]').getByText(await last.textContent(), {exact: true}).waitFor();
+  const [link, bar] = [await last.boundingBox(), await page.locator('.object-bar nav').first().boundingBox()];
+  assert.ok(link.x >= bar.x - 1 && link.x + link.width <= bar.x + bar.width + 1, `link at ${link.x}, bar from ${bar.x} to ${bar.x + bar.width}`);
+});

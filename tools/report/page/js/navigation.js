@@ -26,13 +26,15 @@ function objectBar(object, index, parts) {
 /** Marks the link to what is being read: the last target that begins in the upper third of the window. */
 function followReading(links) {
   const targets = [...links].map((link) => ({link, target: document.getElementById(link.hash.slice(1))})).filter(({target}) => target);
+  let marked;
   const mark = () => {
     const above = targets.filter(({target}) => target.getBoundingClientRect().top < innerHeight / 3);
     const current = above[above.length - 1]?.link;
-    for (const {link} of targets) {
-      if (link === current) link.setAttribute('aria-current', 'true');
-      else link.removeAttribute('aria-current');
-    }
+    if (current === marked) return;
+    marked?.removeAttribute('aria-current');
+    current?.setAttribute('aria-current', 'true');
+    marked = current;
+    if (current) showWithin(current.closest('nav'), current);
   };
   let waiting = false;
   addEventListener('scroll', () => {
@@ -44,4 +46,10 @@ function followReading(links) {
     });
   }, {passive: true});
   mark();
+}
+
+/** Moves a bar that is wider than its window, and the bar alone, until a link stands in its middle. */
+function showWithin(bar, link) {
+  const [outer, inner] = [bar.getBoundingClientRect(), link.getBoundingClientRect()];
+  bar.scrollLeft += (inner.left + inner.right - outer.left - outer.right) / 2;
 }
