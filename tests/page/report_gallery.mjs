@@ -148,7 +148,9 @@ for (const name of reports) {
       await page.waitForFunction((node) => !node.textContent.endsWith('frame 0'), await gallery.locator('.time').elementHandle());
       await gallery.getByRole('button', {name: 'Pause'}).click();
       const full = frames.find((frame) => frame.exact);
-      if (full) {
+      const smaller = frames.findIndex((frame) => !frame.exact);
+      if (full && smaller >= 0) {
+        await gallery.getByLabel('Frame', {exact: true}).fill(String(smaller));
         await gallery.getByRole('button', {name: 'Full picture'}).click();
         assert.match(await gallery.locator('.time').textContent(), new RegExp(`frame ${full.frame}$`));
       }
