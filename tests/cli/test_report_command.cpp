@@ -188,5 +188,26 @@ TEST(ReportCommand, AllClipsOfRealCharactersWithBorrowedLights) {
   }
 }
 
+TEST(ReportCommand, ACapturedRunIsOneFile) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "bug.glb";
+  const json first = report({"sample:touch", "--lights", "sample:street", "--rig", "constant", "--frames", "2:4",
+                             "--bands", "2", "--capture", file});
+  const json again = report({file});
+  EXPECT_EQ(again["bands"], 2);
+  EXPECT_EQ(again["objects"].size(), first["objects"].size());
+  const json &a = rigOf(first["objects"][0], "constant"), &b = rigOf(again["objects"][0], "constant");
+  EXPECT_EQ(b["frames"].size(), 3u);
+  EXPECT_NEAR(b["total"]["rms"], a["total"]["rms"], 1e-5 * a["total"]["rms"].get<double>());
+  EXPECT_THAT(again["scenes"][0]["notes"].dump(),
+              testing::HasSubstr("settings from the file: rigs, clip, frames, rate, bands, exposure"));
+
+  // What is said beside the file goes before what the file says.
+  const json other = report({file, "--rig", "gradient", "--frames", "3", "--bands", "3"});
+  EXPECT_EQ(other["bands"], 3);
+  EXPECT_EQ(rigOf(other["objects"][0], "gradient")["frames"].size(), 1u);
+  EXPECT_THAT(other["scenes"][0]["notes"].dump(), testing::HasSubstr("settings from the file: clip, rate, exposure"));
+}
+
 }  // namespace
 }  // namespace rigel::test

@@ -155,6 +155,11 @@ Json describeLights(const Scene& scene, const ScenePose& rest) {
   return out;
 }
 
+// How a captured run was asked for; null where the file does not say.
+Json settingsOf(const Scene& scene) {
+  return scene.settings.empty() ? Json(nullptr) : Json::parse(scene.settings, nullptr, false);
+}
+
 Json describeScene(const Scene& scene, const std::string& source) {
   ScenePose rest;
   poseScene(scene, kRestPose, 0, rest);
@@ -165,8 +170,10 @@ Json describeScene(const Scene& scene, const std::string& source) {
     materials.push_back(
         {{"name", m.name}, {"base_colour", {m.baseColour.x, m.baseColour.y, m.baseColour.z}}, {"wrap", m.wrap}});
   }
-  return {{"scene", source},        {"objects", objects},  {"clips", clips}, {"lights", describeLights(scene, rest)},
-          {"materials", materials}, {"notes", scene.notes}};
+  return {{"scene", source},        {"objects", objects},
+          {"clips", clips},         {"lights", describeLights(scene, rest)},
+          {"materials", materials}, {"settings", settingsOf(scene)},
+          {"notes", scene.notes}};
 }
 
 std::string tripleText(const Json& v) {
@@ -226,6 +233,11 @@ void printText(const Json& info) {
   printSection("materials", info["materials"], [&](const Json& m) {
     return named(m, fmt::format("colour {}, wrap {:.4g}", tripleText(m["base_colour"]), m["wrap"].get<double>()));
   });
+  if (!info["settings"].is_null()) {
+    fmt::print("\nsettings\n");
+    for (const auto& [name, value] : info["settings"].items())
+      fmt::print("  {:<20} {}\n", name, value.is_string() ? value.get<std::string>() : value.dump());
+  }
   printSection("notes", info["notes"], [](const Json& note) { return note.get<std::string>(); });
 }
 

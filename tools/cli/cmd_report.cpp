@@ -4,23 +4,26 @@
 #include "cli/progress_line.h"
 #include "cli/run_arguments.h"
 #include "render/gpu_shading.h"
+#include "report/capture.h"
 #include "report/made_directory.h"
 #include "report/report_json.h"
 #include "report/report_text.h"
 #include "report/scene_run.h"
 #include "report/staged_images.h"
 #include "report/write_report.h"
+#include "scene/gltf_load.h"
 
 #include <rigel/gpu_rig.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
 
 namespace rigel::tools {
 namespace {
-
-constexpr const char* kDefaultRigs = "constant;gradient;mixed:l3,g,c;lattice:3x2x2;lattice:8x4x2;poly:6;poly:12;auto";
 
 struct Arguments {
   std::vector<std::string> scenes;
@@ -31,7 +34,33 @@ struct Arguments {
   bool json = false;
   bool quiet = false;
   std::string out;
+  std::string capture;
+  std::string settingsNote;  // what came out of the scene's own settings
+  const CLI::App* app = nullptr;
 };
+
+/// Takes from a captured file's settings what the command line leaves open, and says so. Built-in scenes have none;
+/// several scenes cannot each have their own.
+std::optional<Error> adoptSettings(Arguments& arguments) {
+  if (arguments.scenes.size() != 1 || arguments.scenes.front().starts_with("sample:")) return std::nullopt;
+  const std::string& file = arguments.scenes.front();
+  const auto scene = loadScene(file);
+  if (!scene) return scene.error();
+  if (scene->settings.empty()) return std::nullopt;
+  auto settings = parseRunSettings(scene->settings);
+  if (!settings) return Error{settings.error().message, file + ": " + settings.error().place};
+  std::vector<std::string> taken;
+  if (settings->rigs && arguments.app->count("--rig") == 0) {
+    arguments.rigs = *settings->rigs;
+    taken.push_back("rigs");
+  }
+  std::ranges::move(arguments.run.adopt(*settings), std::back_inserter(taken));
+  std::string& note = arguments.settingsNote;
+  note = taken.empty() ? "settings in the file: all overridden"
+                       : "settings from the file: " + fmt::format("{}", fmt::join(taken, ", "));
+  for (const std::string& unknown : settings->notes) note += "; " + unknown;
+  return std::nullopt;
+}
 
 Result<RunOptions> parse(const Arguments& arguments) {
   if (arguments.out.empty()) return Error{"the name of a directory is missing", "--out"};
@@ -46,6 +75,7 @@ Result<RunOptions> parse(const Arguments& arguments) {
   options->scenes = arguments.scenes;
   options->rigs = *std::move(rigs);
   options->images = !arguments.noImages;
+  options->settingsNote = arguments.settingsNote;
   if (const auto error = checkOptions(*options)) return *error;
   return options;
 }
@@ -61,7 +91,8 @@ std::string commandLine(const Arguments& a) {
   return line + " --out " + a.out;
 }
 
-int runReportCommand(const Arguments& arguments) {
+int runReportCommand(Arguments arguments) {
+  if (const auto error = adoptSettings(arguments)) return fail(kExitBadInput, error->line());
   auto options = parse(arguments);
   if (!options) return fail(kExitBadUse, options.error().line());
   std::optional<GpuContext> device;  // outlives what shades with it
@@ -80,6 +111,10 @@ int runReportCommand(const Arguments& arguments) {
   const auto images = StagedImages::begin(out, options->images);
   if (!images) return fail(kExitBadInput, images.error().line());
 
+  if (!arguments.capture.empty()) {  // before the run, so that one which fails can be sent too
+    const auto written = writeCapture(*options, arguments.capture);
+    if (!written) return fail(kExitBadInput, written.error().line());
+  }
   auto report = [&] {
     ProgressLine progress(arguments.quiet);
     return runReport(*options, (*images)->directory(), [&](double share, const std::string& what) {
@@ -118,10 +153,13 @@ Command addReport(CLI::App& root) {
                   "Who evaluates rigs at points and in pictures: cpu, or gpu (Vulkan), which also measures half floats")
       ->capture_default_str()
       ->check(CLI::IsMember({"cpu", "gpu"}));
+  app->add_option("--capture", arguments->capture,
+                  "Write scene, lights and settings as one glTF file (.glb): rigel report FILE.glb runs them again");
   app->add_flag("--no-images", arguments->noImages, "Leave the pictures out");
   app->add_flag("--json", arguments->json, "Print report.json on standard output instead of the table");
   app->add_flag("--quiet", arguments->quiet, "No progress on standard error");
   app->add_option("--out", arguments->out, "Directory for report.html, report.json and images/")->required();
+  arguments->app = app;
   app->footer(
       "Rig models: constant, gradient, lattice:AxBxC[:linear|smooth|cubic], mixed:m1,m2,m3 (c, g or lN an axis, by\n"
       "decreasing extent of the object; xyz: before them pins the axes), poly:K, invquad:K. Suffix @corners, @gauss,\n"

@@ -1,5 +1,6 @@
 // rigel sample: lists the built-in scenes, or writes one as glTF.
 #include "command.h"
+#include "report/run_settings.h"
 #include "samples/samples.h"
 #include "scene/gltf_save.h"
 
@@ -66,7 +67,10 @@ int list(bool asJson) {
 }
 
 int write(const Sample& sample, const SampleOptions& options) {
-  const Scene scene = sample.make();
+  Scene scene = sample.make();
+  RunOptions run;  // as `rigel report` would, so that the file says it all
+  run.rigs = *parseRigSpecs(kDefaultRigs);
+  scene.settings = runSettingsText(run);
   const Result<std::size_t> bytes = saveGltf(scene, options.out);
   if (!bytes) return fail(kExitBadInput, bytes.error().line());
   if (options.json) {

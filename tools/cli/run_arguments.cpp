@@ -8,6 +8,7 @@
 namespace rigel::tools {
 
 void RunArguments::addScene(CLI::App& app) {
+  app_ = &app;
   app.add_option("--clip", clip_, "Animation clip by name, or 'all' [the first]");
   app.add_option("--frames", frames_, "FIRST:LAST:STEP in frames of the clip, counted at --rate")
       ->capture_default_str();
@@ -37,6 +38,32 @@ std::optional<LightingTarget> RunArguments::target() const {
   return std::nullopt;
 }
 
+bool RunArguments::given(const std::string& option) const {
+  return app_ != nullptr && app_->get_option_no_throw(option) != nullptr && app_->count(option) > 0;
+}
+
+std::vector<std::string> RunArguments::adopt(const RunSettings& settings) {
+  std::vector<std::string> taken;
+  const auto take = [&](const char* name, const auto& from, auto& to, bool overridden) {
+    if (!from || overridden) return;
+    to = *from;
+    taken.push_back(name);
+  };
+  take("clip", settings.clip, clip_, given("--clip"));
+  take("frames", settings.frames, frames_, given("--frames"));
+  take("rate", settings.rate, rate_, given("--rate"));
+  take("near", settings.near, near_, given("--near"));
+  const bool aims = given("--error") || given("--total-error");  // only one of the two can be aimed at
+  take("error", settings.error, error_, aims);
+  take("total_error", settings.totalError, totalError_, aims);
+  take("budget_us", settings.budget, budget_, given("--budget-us"));
+  take("wrap", settings.wrap, wrap_, given("--wrap"));
+  take("bands", settings.bands, bands_, given("--bands"));
+  take("exposure", settings.exposure, exposure_, given("--exposure"));
+  if (lights_.empty()) loops_ = settings.loops;
+  return taken;
+}
+
 Result<RunOptions> RunArguments::options() const {
   RunOptions options;
   const auto frames = parseFrameRange(frames_);
@@ -58,6 +85,7 @@ Result<RunOptions> RunArguments::options() const {
   options.bands = bands_;
   options.exposure = exposure_;
   options.lights = lights_;
+  options.loops = loops_;
   return options;
 }
 

@@ -1,7 +1,7 @@
 // The options that every subcommand which runs a scene understands: what is looked at, when, and how its rigs choose.
 #pragma once
 
-#include "report/run_options.h"
+#include "report/run_settings.h"
 
 #include <CLI/CLI.hpp>
 
@@ -22,12 +22,19 @@ class RunArguments {
 
   bool framesGiven() const { return frames_ != defaultFrames_; }
 
+  /// Takes what the scene's own settings say where no option was given; returns the names of what was taken. With
+  /// --lights the settings' loops, which are those of captured lights, are left.
+  std::vector<std::string> adopt(const RunSettings& settings);
+
   /// The options that were given, as typed, each with a blank before it.
   std::string text() const;
 
  private:
   std::optional<LightingTarget> target() const;
+  bool given(const std::string& option) const;
 
+  const CLI::App* app_ = nullptr;
+  std::vector<double> loops_;
   std::string clip_;
   std::string defaultFrames_, frames_;
   double rate_ = kDefaultRate;

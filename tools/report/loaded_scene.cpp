@@ -72,6 +72,7 @@ Result<LoadedScene> LoadedScene::load(const std::string& source, const RunOption
   auto timelines = makeTimelines(*loaded.scene_, options, donor != nullptr ? donor->duration() : 0);
   if (!timelines) return timelines.error();
   loaded.timelines_ = std::move(timelines->all);
+  if (!options.settingsNote.empty()) loaded.notes_.push_back(options.settingsNote);
   if (donor != nullptr && ownLights > 0)
     loaded.notes_.push_back(fmt::format("its own {} light{} left out: --lights {}", ownLights,
                                         ownLights == 1 ? " is" : "s are", options.lights));

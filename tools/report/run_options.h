@@ -15,6 +15,10 @@ inline constexpr double kDefaultRate = 30;  // frames a second
 inline constexpr double kMinRate = 1;
 inline constexpr double kMaxRate = 1000;
 
+/// --rig where nothing is said.
+inline constexpr const char* kDefaultRigs =
+    "constant;gradient;mixed:l3,g,c;lattice:3x2x2;lattice:8x4x2;poly:6;poly:12;auto";
+
 /// --exposure at most: from the dimmest photometric file to a sun in lux it takes less.
 inline constexpr float kMaxExposure = 1e6f;
 
@@ -58,7 +62,11 @@ struct RunOptions {
   std::optional<float> wrap;             // overrides the materials'
   int bands = 3;
   float exposure = 1;
-  std::string lights;  // donor scene of --lights, or ""
+  /// Further clocks that start over [s], of a run that was captured: each is a cut, not a movement
+  /// (Timeline::followsOn).
+  std::vector<double> loops;
+  std::string settingsNote;  // which of these came out of the scene's own settings; "" for none
+  std::string lights;        // donor scene of --lights, or ""
   bool images = true;
   int samples = 4096;
   /// Makes who evaluates a rig at points (RigRunner::setShading); empty: the CPU.

@@ -60,7 +60,7 @@ bool Timeline::followsOn(std::size_t index) const {
   const auto sameLap = [&](double duration) {
     return looped(time(frames[index - 1]), duration).lap == looped(time(frames[index]), duration).lap;
   };
-  return sameLap(clipDuration) && sameLap(lightDuration);
+  return sameLap(clipDuration) && sameLap(lightDuration) && std::ranges::all_of(loops, sameLap);
 }
 
 Result<Timelines> makeTimelines(const Scene& scene, const RunOptions& options, double lightDuration) {
@@ -73,6 +73,7 @@ Result<Timelines> makeTimelines(const Scene& scene, const RunOptions& options, d
     timeline.rate = options.rate;
     timeline.clip = clip;
     timeline.lightDuration = lightDuration;
+    timeline.loops = options.loops;
     if (clip != kRestPose) {
       timeline.clipName = scene.animations[clip].name;
       timeline.clipDuration = scene.animations[clip].duration;

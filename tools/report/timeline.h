@@ -13,11 +13,12 @@ inline constexpr int kMaxFrames = 100'000;
 /// loops.
 struct Timeline {
   double rate = kDefaultRate;
-  int clip = -1;             // index into Scene::animations, or kRestPose
-  std::string clipName;      // "" for a still scene
-  double clipDuration = 0;   // s
-  double lightDuration = 0;  // s, of the donor's clip; 0 where the lights are the scene's own
-  std::vector<int> frames;   // numbers of the frames to look at, rising; at least one
+  int clip = -1;              // index into Scene::animations, or kRestPose
+  std::string clipName;       // "" for a still scene
+  double clipDuration = 0;    // s
+  double lightDuration = 0;   // s, of the donor's clip; 0 where the lights are the scene's own
+  std::vector<double> loops;  // s, of clocks that ran when the scene was captured
+  std::vector<int> frames;    // numbers of the frames to look at, rising; at least one
 
   double time(int frame) const { return frame / rate; }
   double clipTime(int frame) const { return looped(time(frame), clipDuration).time; }

@@ -52,6 +52,21 @@ void shorten(std::vector<std::string>& notes) {
   notes.push_back(fmt::format("and {} more notes", more));
 }
 
+// extras.rigel.settings, whatever it says: its reader is who runs the scene.
+void importSettings(GltfImport& import) {
+  JsonPlace place = import.document.root();
+  for (const char* key : {"extras", "rigel", "settings"}) {
+    const auto found = place.find(key);
+    if (!found) return;
+    if (!found->value().is_object()) {
+      if (std::string_view(key) == "extras") return;  // free-form in glTF
+      found->fail("must be an object, is {}", found->value().type_name());
+    }
+    place = *found;
+  }
+  import.scene.settings = place.value().dump();
+}
+
 Scene importScene(const GltfDocument& document) {
   GltfImport import(document);
   importExtensions(import);
@@ -61,6 +76,7 @@ Scene importScene(const GltfDocument& document) {
   importNodes(import);
   importSkins(import);
   importAnimations(import);
+  importSettings(import);
   refuseStrayJoints(import);
   dropStrayVertices(import.scene);
   refuseAbsurdAndNoteEmpty(import);

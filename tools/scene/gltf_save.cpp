@@ -56,6 +56,9 @@ class SceneWriter {
       out["extensionsUsed"].push_back(kLightExtensions[kind]);
       out["extensions"][kLightExtensions[kind]]["lights"] = lights_[kind];
     }
+    if (!scene_.settings.empty()) {
+      out["extras"]["rigel"]["settings"] = json::parse(scene_.settings, nullptr, false);
+    }
     buffer_.describe(out);
     return out;
   }

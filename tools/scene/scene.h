@@ -116,6 +116,7 @@ struct Scene {
   std::vector<Skin> skins;
   std::vector<SceneLight> lights;
   std::vector<Animation> animations;
+  std::string settings;  // extras.rigel.settings as JSON text: how a captured run was asked for (tools/report)
   std::vector<std::string> notes;  // what the file holds that Rigel does not use, by name; shown in reports and `info`
 };
 
