@@ -17,6 +17,13 @@
 namespace rigel {
 namespace {
 
+/// Errors quote what was typed, and are one line whatever that is.
+std::string printable(std::string text) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+  return text;
+}
+
 std::optional<int> parseInt(std::string_view text) {
   int value = 0;
   const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -242,13 +249,13 @@ std::optional<Error> checkRigSpec(const RigSpec& spec) {
 Result<RigSpec> parseRigSpec(std::string_view text) {
   RigSpec spec;
   std::ranges::copy_if(text, std::back_inserter(spec.text), [](char c) { return c != ' ' && c != '\t'; });
-  const std::string place = "rig spec '" + std::string(text) + "'";
+  const std::string place = "rig spec '" + printable(std::string(text)) + "'";
   if (spec.text.empty()) return Error{"empty", place};
 
   const auto at = spec.text.find('@');
   std::string wrong = parseModel(std::string_view(spec.text).substr(0, at), spec);
   if (wrong.empty() && at != std::string::npos) wrong = parseFit(std::string_view(spec.text).substr(at + 1), spec);
-  if (!wrong.empty()) return Error{wrong, place};
+  if (!wrong.empty()) return Error{printable(std::move(wrong)), place};
   if (const auto error = checkRigSpec(spec)) return *error;
   return spec;
 }

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include <fstream>
-#include <string_view>
+#include <iterator>
 #include <system_error>
 
 namespace rigel::tools {
@@ -32,23 +32,30 @@ std::string pictureName(const std::string& path) {
 
 }  // namespace
 
-std::set<std::string> earlierPictures(const fs::path& report) { return picturesNamed(report / "report.json", report); }
-
-std::set<std::string> picturesNamed(const fs::path& document, const fs::path& report) {
+std::set<std::string> picturesNamedIn(std::string_view document) {
   std::set<std::string> names;
-  std::ifstream stream(document, std::ios::binary);
-  if (!stream) return names;
-  const Json parsed = Json::parse(stream, nullptr, false);
-  std::error_code code;
-  for (const Json& object : listIn(parsed, "objects"))
+  const Json json = Json::parse(document, nullptr, false);
+  for (const Json& object : listIn(json, "objects"))
     for (const Json& picture : listIn(object, "pictures"))
       for (const char* key : {"image_png", "image_exr", "error_png", "error_exr"}) {
         if (!picture.is_object() || !picture.contains(key) || !picture[key].is_string()) continue;
-        const std::string name = pictureName(picture[key].get<std::string>());
-        if (name.empty()) continue;
-        // A link is not what we wrote, even under the name of what we wrote.
-        if (fs::is_regular_file(fs::symlink_status(report / kImageFolder / name, code))) names.insert(name);
+        if (std::string name = pictureName(picture[key].get<std::string>()); !name.empty())
+          names.insert(std::move(name));
       }
+  return names;
+}
+
+std::set<std::string> earlierPictures(const fs::path& report) { return picturesNamed(report / "report.json", report); }
+
+std::set<std::string> picturesNamed(const fs::path& document, const fs::path& report) {
+  std::ifstream stream(document, std::ios::binary);
+  if (!stream) return {};
+  std::set<std::string> names = picturesNamedIn(std::string(std::istreambuf_iterator<char>(stream), {}));
+  // A link is not what we wrote, even under the name of what we wrote.
+  std::error_code code;
+  std::erase_if(names, [&](const std::string& name) {
+    return !fs::is_regular_file(fs::symlink_status(report / kImageFolder / name, code));
+  });
   return names;
 }
 
