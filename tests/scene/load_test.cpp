@@ -414,7 +414,7 @@ TEST(Load, AnimationsWhoseKeyTimesHaveNoDataAreNoted) {
 TEST(Load, ManySkinsAndManyNodesWithoutNames) {
   GltfMaker g = GltfMaker::skinned();
   const json node = {{"mesh", 0}};
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < 500; ++i) {
     const std::size_t joint = g.json["nodes"].size();
     g.json["nodes"].push_back(json::object());
     g.json["nodes"].push_back(json::object());
@@ -424,9 +424,9 @@ TEST(Load, ManySkinsAndManyNodesWithoutNames) {
   }
   const Scene scene = load(g);
   const auto objects = findObjects(scene);
-  ASSERT_EQ(objects.size(), 2001u);
+  ASSERT_EQ(objects.size(), 501u);
   EXPECT_EQ(objects[1].name, "object");
-  EXPECT_EQ(objects[2000].name, "object 2000");
+  EXPECT_EQ(objects[500].name, "object 500");
 }
 
 TEST(Load, GlbByContentWhateverItsName) {
