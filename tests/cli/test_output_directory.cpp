@@ -90,7 +90,7 @@ TEST_F(OutputDirectory, HoldsWhatTheReportNamesAndWhatTheUserPutThere) {
     earlier = expected;
     expected.insert(mine.begin(), mine.end());
     EXPECT_EQ(namesIn(out_ + "/images"), expected);
-    EXPECT_EQ(namesIn(out_), (Names{"images", "report.html", "report.json"}));
+    EXPECT_EQ(namesIn(out_), (Names{"images", "report.csv", "report.html", "report.json", "report.md"}));
   }
   std::vector<std::string> withoutPictures = kQuick;
   withoutPictures.push_back("--no-images");
@@ -202,7 +202,7 @@ TEST_F(OutputDirectory, IsCleanAfterAnInterrupt) {
   const auto program = longReport(out_);
   program->signal(SIGINT);
   EXPECT_EQ(program->wait().exitCode, 130);
-  EXPECT_EQ(namesIn(out_), (Names{"images", "report.html", "report.json"}));
+  EXPECT_EQ(namesIn(out_), (Names{"images", "report.csv", "report.html", "report.json", "report.md"}));
   EXPECT_EQ(namesIn(out_ + "/images"), before);
 }
 
@@ -212,7 +212,7 @@ TEST_F(OutputDirectory, LosesWhatAKilledProgramLeft) {
   EXPECT_EQ(program->wait().exitCode, -1);
   EXPECT_EQ(namesIn(out_).size(), 1u) << "nothing can be done about this signal";
   expectReport(kQuick);
-  EXPECT_EQ(namesIn(out_), (Names{"images", "report.html", "report.json"}));
+  EXPECT_EQ(namesIn(out_), (Names{"images", "report.csv", "report.html", "report.json", "report.md"}));
 }
 
 /// The rigs of the report in `out` and the bytes of its pictures; nothing where there is no report.json.
@@ -257,7 +257,7 @@ TEST_F(OutputDirectory, HoldsOneReportWheneverTheProgramIsKilled) {
     before = after;
   }
   expectReport(kQuickOther);
-  EXPECT_EQ(namesIn(out_), (Names{"images", "report.html", "report.json"}));
+  EXPECT_EQ(namesIn(out_), (Names{"images", "report.csv", "report.html", "report.json", "report.md"}));
   EXPECT_EQ(namesIn(out_ + "/images"), listedPictures(out_));
 }
 

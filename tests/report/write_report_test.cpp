@@ -31,7 +31,7 @@ class WriteReport : public testing::Test {
   fs::path root_ = folder_ / "report";  // not there yet
 };
 
-TEST_F(WriteReport, MakesTheDirectoryAndLeavesTwoFiles) {
+TEST_F(WriteReport, MakesTheDirectoryAndLeavesItsFiles) {
   const fs::path deep = root_ / "a" / "b";
   const auto written = tools::writeReport(smallestReport(), deep);
   ASSERT_TRUE(written) << written.error().line();
@@ -39,7 +39,7 @@ TEST_F(WriteReport, MakesTheDirectoryAndLeavesTwoFiles) {
   EXPECT_EQ(written->htmlBytes, fs::file_size(written->html));
   EXPECT_EQ(nlohmann::json::parse(test::contentOf(written->json))["objects"].size(), 1u);
   root_ = deep;
-  EXPECT_THAT(listing(), testing::UnorderedElementsAre("report.html", "report.json"));
+  EXPECT_THAT(listing(), testing::UnorderedElementsAre("report.csv", "report.html", "report.json", "report.md"));
   root_ = deep.parent_path().parent_path();
 }
 
@@ -51,11 +51,12 @@ TEST_F(WriteReport, ReplacesAnEarlierReport) {
   ASSERT_TRUE(tools::writeReport(smallestReport(), root_));
   EXPECT_THAT(test::contentOf(root_ / "report.html"), HasSubstr("<!doctype html>"));
   EXPECT_THAT(test::contentOf(root_ / "report.json"), HasSubstr("soldier"));
-  EXPECT_THAT(listing(), testing::UnorderedElementsAre("report.html", "report.json", "kept.txt"));
+  EXPECT_THAT(listing(),
+              testing::UnorderedElementsAre("report.csv", "report.html", "report.json", "report.md", "kept.txt"));
 }
 
-TEST_F(WriteReport, FailureOfTheSecondFileUndoesTheFirst) {
-  fs::create_directories(root_ / "report.json");  // a directory stands where the second file should
+TEST_F(WriteReport, FailureOfTheLastFileUndoesTheOthers) {
+  fs::create_directories(root_ / "report.json");  // a directory stands where the last file should
   put(root_ / "report.html", "old page");
   const auto written = tools::writeReport(smallestReport(), root_);
   ASSERT_FALSE(written);

@@ -1,5 +1,6 @@
 // rigel report: the main job. Fits rigs frame by frame, compares them with the truth, writes the report.
 #include "cli/command.h"
+#include "cli/compare_reports.h"
 #include "cli/interrupt.h"
 #include "cli/progress_line.h"
 #include "cli/run_arguments.h"
@@ -27,6 +28,7 @@ namespace {
 
 struct Arguments {
   std::vector<std::string> scenes;
+  CompareArguments compare;
   std::string rigs = kDefaultRigs;
   RunArguments run;
   std::string device = "cpu";
@@ -63,7 +65,10 @@ std::optional<Error> adoptSettings(Arguments& arguments) {
 }
 
 Result<RunOptions> parse(const Arguments& arguments) {
+  if (arguments.scenes.empty()) return Error{"name a scene, or --compare reports", "SCENE"};
   if (arguments.out.empty()) return Error{"the name of a directory is missing", "--out"};
+  if (arguments.compare.maxError || arguments.compare.maxTime)
+    return Error{"this judges what --compare compares", "--max-error-ratio, --max-time-ratio"};
   auto rigs = parseRigSpecs(arguments.rigs);
   if (!rigs) return rigs.error();
   if (arguments.device == "gpu") {
@@ -139,14 +144,21 @@ int runReportCommand(Arguments arguments) {
   return kExitOk;
 }
 
+int compare(Arguments& arguments) {
+  if (!arguments.scenes.empty())
+    return fail(kExitBadUse, arguments.scenes.front() + ": --compare takes reports, and no scene beside them");
+  arguments.compare.out = arguments.out;
+  arguments.compare.json = arguments.json;
+  return compareReportFiles(arguments.compare);
+}
+
 }  // namespace
 
 Command addReport(CLI::App& root) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* app =
       root.add_subcommand("report", "Fit rigs to an animated scene, compare them with the truth, write a report");
-  app->add_option("SCENE", arguments->scenes, "glTF files (.gltf, .glb) or sample:NAME (see: rigel sample --list)")
-      ->required();
+  app->add_option("SCENE", arguments->scenes, "glTF files (.gltf, .glb) or sample:NAME (see: rigel sample --list)");
   app->add_option("--rig", arguments->rigs, "Rig specs, separated by ';'")->capture_default_str();
   arguments->run.add(*app);
   app->add_option("--device", arguments->device,
@@ -158,8 +170,15 @@ Command addReport(CLI::App& root) {
   app->add_flag("--no-images", arguments->noImages, "Leave the pictures out");
   app->add_flag("--json", arguments->json, "Print report.json on standard output instead of the table");
   app->add_flag("--quiet", arguments->quiet, "No progress on standard error");
-  app->add_option("--out", arguments->out, "Directory for report.html, report.json and images/")->required();
   arguments->app = app;
+  app->add_option("--out", arguments->out, "Directory for report.html, report.json, report.md, report.csv and images/");
+  app->add_option("--compare", arguments->compare.files,
+                  "Instead of a scene: report.json of two runs or more, side by side; --out DIR takes compare.html, "
+                  "compare.md, compare.csv and compare.json")
+      ->type_name("FILE...");
+  app->add_option("--max-error-ratio", arguments->compare.maxError,
+                  "Exit with 1 where an error of a later run is more than this times the first run's");
+  app->add_option("--max-time-ratio", arguments->compare.maxTime, "The same for times");
   app->footer(
       "Rig models: constant, gradient, lattice:AxBxC[:linear|smooth|cubic], mixed:m1,m2,m3 (c, g or lN an axis, by\n"
       "decreasing extent of the object; xyz: before them pins the axes), poly:K, invquad:K. Suffix @corners, @gauss,\n"
@@ -168,8 +187,11 @@ Command addReport(CLI::App& root) {
       "rbf:K (radial basis functions), latticegrad:AxBxC[:linear|smooth] and hermite:AxBxC (values and slopes).\n\n"
       "Examples: rigel report sample:street --rig \"gradient;poly:6\" --out street\n"
       "          rigel report sample:touch --rig \"auto;poly:6\" --near auto --error 0.02 --out touch\n"
-      "          rigel report crowd.glb --lights sample:street --rig auto --budget-us 300 --out crowd");
-  return {app, [arguments] { return runReportCommand(*arguments); }};
+      "          rigel report crowd.glb --lights sample:street --rig auto --budget-us 300 --out crowd\n"
+      "          rigel report --compare old/report.json new/report.json --max-error-ratio 1.05");
+  return {app, [arguments] {
+            return arguments->compare.files.empty() ? runReportCommand(*arguments) : compare(*arguments);
+          }};
 }
 
 }  // namespace rigel::tools

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <signal.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <regex>
@@ -34,7 +35,8 @@ void putBack(const fs::path& aside, const fs::path& report) {
   for (fs::directory_iterator entry(aside / kPrevious, code), end; !code && entry != end; entry.increment(code)) {
     const std::string name = entry->path().filename().string();
     std::error_code ignored;
-    if (name != kReportFiles[0] && name != kReportFiles[1]) fs::rename(entry->path(), images / name, ignored);
+    if (std::ranges::find(kReportFiles, name) == std::end(kReportFiles))
+      fs::rename(entry->path(), images / name, ignored);
   }
   fs::remove(images, code);  // if nothing is left in it
   for (const char* name : kReportFiles) fs::rename(aside / kPrevious / name, report / name, code);
@@ -43,7 +45,7 @@ void putBack(const fs::path& aside, const fs::path& report) {
 void finish(const fs::path& aside, const fs::path& report) {
   std::error_code code;
   const std::set<std::string> named = earlierPictures(report);
-  for (const std::string& name : picturesNamed(aside / kPrevious / kReportFiles[1], report))
+  for (const std::string& name : picturesNamed(aside / kPrevious / kDocument, report))
     if (!named.contains(name)) fs::remove(report / kImageFolder / name, code);
   fs::remove(report / kImageFolder, code);  // if nothing is left in it
 }
@@ -52,7 +54,7 @@ void finish(const fs::path& aside, const fs::path& report) {
 
 void putInOrder(const fs::path& report) {
   const std::regex folder(fmt::format(R"(\.{}\.(\d+))", kImageFolder));
-  const std::regex file(R"(\.report\.(?:html|json)\.(\d+)\.(?:new|old))");
+  const std::regex file(R"(\.report\.(?:html|md|csv|json)\.(\d+)\.(?:new|old))");
   std::error_code code;
   std::vector<fs::path> leftovers;
   for (fs::directory_iterator entry(report, code), end; !code && entry != end; entry.increment(code)) {
@@ -64,7 +66,7 @@ void putInOrder(const fs::path& report) {
   }
   for (const fs::path& path : leftovers) {
     if (fs::exists(path / kPlacing, code)) {
-      if (fs::exists(report / kReportFiles[1], code))
+      if (fs::exists(report / kDocument, code))
         finish(path, report);
       else
         putBack(path, report);

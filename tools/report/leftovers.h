@@ -10,7 +10,8 @@ inline constexpr const char* kPrevious = "previous";  // what had the names of i
 inline constexpr const char* kPlacing = "placing";    // names of the pictures that nothing had before, one a line
 /// Written and put back in this order, withdrawn in the opposite one: a report is there with its report.json, which
 /// says whose the pictures are.
-inline constexpr const char* kReportFiles[] = {"report.html", "report.json"};
+inline constexpr const char* kReportFiles[] = {"report.html", "report.md", "report.csv", "report.json"};
+inline constexpr const char* kDocument = kReportFiles[3];
 
 /// Puts in order what programs that no longer run have left in `report`: an earlier report that was withdrawn comes
 /// back with its pictures, unless the new one is there; then the pictures that only the earlier one named go. Their

@@ -20,8 +20,8 @@ struct WrittenReport {
 /// What would keep writeReport from putting its files into `directory`, as far as one can see without writing them.
 std::optional<Error> reportObstacle(const std::filesystem::path& directory);
 
-/// Writes report.html and report.json into `directory` (made where it does not exist): aside first, renamed once both
-/// are complete. After an Error the directory holds what it held before. Pictures are the business of StagedImages.
+/// Writes the report's files (kReportFiles) into `directory` (made where it does not exist): aside first, renamed once
+/// all are complete. After an Error the directory holds what it held before. Pictures are the business of StagedImages.
 Result<WrittenReport> writeReport(const Report& report, const std::filesystem::path& directory);
 
 }  // namespace rigel::tools
