@@ -105,6 +105,7 @@ int runReportCommand(Arguments arguments) {
     auto context = GpuContext::create();
     if (!context) return fail(kExitBadInput, context.error().line());
     device = *std::move(context);
+    options->cost = CostModel::shaders();
     options->shading = [&] { return makeGpuShading(*device); };
   }
 

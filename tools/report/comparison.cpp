@@ -81,6 +81,13 @@ std::vector<std::pair<Key, const Json*>> rigsOf(const Json& document) {
 
 }  // namespace
 
+Result<ReportFile> parseReport(const std::string& name, std::string_view text) {
+  ReportFile out{name, Json::parse(text, nullptr, false)};
+  if (out.document.is_discarded()) return Error{"it is not JSON (a report.json is wanted)", name};
+  if (const auto error = Checker().check(out.document)) return Error{error->message, name + ": " + error->place};
+  return out;
+}
+
 Result<ReportFile> readReportFile(const std::filesystem::path& file) {
   const std::string name = file.string();
   std::error_code failed;
@@ -91,10 +98,7 @@ Result<ReportFile> readReportFile(const std::filesystem::path& file) {
   std::ostringstream content;
   content << in.rdbuf();
   if (!in || in.bad()) return Error{"it cannot be read", name};
-  ReportFile out{name, Json::parse(content.str(), nullptr, false)};
-  if (out.document.is_discarded()) return Error{"it is not JSON (a report.json is wanted)", name};
-  if (const auto error = Checker().check(out.document)) return Error{error->message, name + ": " + error->place};
-  return out;
+  return parseReport(name, content.str());
 }
 
 std::optional<double> ComparedRig::ratio(std::size_t figure, std::size_t run) const {

@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rigel::tools {
@@ -18,6 +19,7 @@ struct ReportFile {
 };
 
 /// Errors name the file, the place in it and the cause.
+Result<ReportFile> parseReport(const std::string& name, std::string_view text);
 Result<ReportFile> readReportFile(const std::filesystem::path& file);
 
 /// One rig of one object in every run; a run that lacks it has no values.

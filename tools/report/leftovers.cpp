@@ -54,7 +54,7 @@ void finish(const fs::path& aside, const fs::path& report) {
 
 void putInOrder(const fs::path& report) {
   const std::regex folder(fmt::format(R"(\.{}\.(\d+))", kImageFolder));
-  const std::regex file(R"(\.report\.(?:html|md|csv|json)\.(\d+)\.(?:new|old))");
+  const std::regex file(R"(\.(?:rigel|report\.(?:html|md|csv|json))\.(\d+)\.(?:new|old))");
   std::error_code code;
   std::vector<fs::path> leftovers;
   for (fs::directory_iterator entry(report, code), end; !code && entry != end; entry.increment(code)) {

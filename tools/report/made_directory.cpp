@@ -1,9 +1,9 @@
 #include "report/made_directory.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
 #include <ranges>
 #include <string>
 #include <system_error>
@@ -14,15 +14,17 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What writing a file says: permissions alone do not tell of read-only or full file systems.
+/// What writing a file says: permissions alone do not tell of read-only or full file systems. Killed between two calls
+/// it leaves a name that putInOrder knows.
 std::error_code tryToWrite(const fs::path& directory) {
-  std::string file = (directory / ".rigel-XXXXXX").string();
-  const int descriptor = ::mkstemp(file.data());
+  const std::string file = (directory / (".rigel." + std::to_string(::getpid()) + ".new")).string();
+  ::unlink(file.c_str());  // of a dead process that had our number
+  const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
   if (descriptor < 0) return {errno, std::generic_category()};
+  ::unlink(file.c_str());
   std::error_code code;
   if (::write(descriptor, "x", 1) != 1) code = {errno, std::generic_category()};
   if (::close(descriptor) != 0 && !code) code = {errno, std::generic_category()};
-  ::unlink(file.c_str());
   return code;
 }
 

@@ -80,7 +80,7 @@ LightingOptions lightingOptions(const RigSpec& rig, const RunOptions& options) {
   const NearChoice near = options.near.value_or(NearChoice{rig.adaptive, 0});
   lighting.nearSlots = near.automatic ? kMaxNearLights : near.slots;
   lighting.estimate = true;
-  lighting.cost = options.shading ? CostModel::shaders() : CostModel::cpu();
+  lighting.cost = options.cost;
   return lighting;
 }
 

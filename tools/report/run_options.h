@@ -69,6 +69,7 @@ struct RunOptions {
   std::string lights;        // donor scene of --lights, or ""
   bool images = true;
   int samples = 4096;
+  CostModel cost = CostModel::cpu();  // of who shades
   /// Makes who evaluates a rig at points (RigRunner::setShading); empty: the CPU.
   std::function<std::unique_ptr<PointShading>()> shading;
 };
