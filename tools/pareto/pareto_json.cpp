@@ -1,6 +1,7 @@
 #include "pareto/pareto_json.h"
 
 #include "pareto/pareto_axes.h"
+#include "report/report_summary.h"
 
 #include <fmt/format.h>
 
@@ -87,11 +88,7 @@ std::optional<Error> firstNotFinite(const Json& row, const std::string& object) 
 std::string csvField(const Json& value) {
   if (value.is_null()) return "";
   if (!value.is_string()) return value.dump();
-  const std::string text = value.get<std::string>();
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
+  return csvCell(value.get<std::string>());
 }
 
 }  // namespace
