@@ -132,6 +132,25 @@ TEST(Transplant, RefusesWhatCannotLendOrTake) {
   EXPECT_EQ(onPoint.error().line(), "square: its objects have no extent to scale lights by");
 }
 
+TEST(Transplant, AFileOfLightsAloneLendsThemAsTheyStand) {
+  Scene scene;
+  scene.name = "lights";
+  addLight(scene, PointLight{{}, {1, 2, 4}, 0.25f, 8}, {9, 1, -3});
+  const auto donor = LightDonor::create(scene);
+  ASSERT_TRUE(donor);
+  EXPECT_FALSE(donor->hasObjects());
+  const auto transplant = LightTransplant::create(*donor, square(3, {100, 0, 0}), kRestPose);
+  ASSERT_TRUE(transplant);
+  PosedLights lights;
+  transplant->lightsAt(0, lights);
+  ASSERT_EQ(lights.set.pointCount(), 1);
+  const PointLight light = lights.set.point(0);
+  EXPECT_EQ(light.position, (Vec3{9, 1, -3}));
+  EXPECT_EQ(light.intensity, (Rgb{1, 2, 4}));
+  EXPECT_EQ(light.radius, 0.25f);
+  EXPECT_EQ(light.range, 8);
+}
+
 TEST(Transplant, DisksAloneCanBeLent) {
   Scene scene = square(1, {});
   addLight(scene, DiskLight{{}, {0, 0, -1}, 0.2f, {2, 4, 8}}, {0, 0, 1});

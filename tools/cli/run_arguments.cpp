@@ -15,7 +15,9 @@ void RunArguments::addScene(CLI::App& app) {
   app.add_option("--rate", rate_, "Frames a second at which the clip is looked at")->capture_default_str();
   app.add_option("--wrap", wrap_, "Wrap reflectance of everything; 0 is Lambert [the materials']")
       ->check(CLI::Range(kMinWrap, kMaxWrap));
-  app.add_option("--lights", lights_, "Take the lights of another scene, scaled to this one's size");
+  app.add_option(
+      "--lights", lights_,
+      "Take the lights of another scene, scaled to this one's size (as they stand, where it has lights alone)");
   app.add_option("--exposure", exposure_, "Multiplies all light")->capture_default_str();
 }
 

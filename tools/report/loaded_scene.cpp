@@ -76,6 +76,9 @@ Result<LoadedScene> LoadedScene::load(const std::string& source, const RunOption
   if (donor != nullptr && ownLights > 0)
     loaded.notes_.push_back(fmt::format("its own {} light{} left out: --lights {}", ownLights,
                                         ownLights == 1 ? " is" : "s are", options.lights));
+  if (donor != nullptr && !donor->hasObjects())
+    loaded.notes_.push_back(
+        fmt::format("--lights {} as they stand: it has no object to scale them by", options.lights));
   std::ranges::move(timelines->notes, std::back_inserter(loaded.notes_));
   return loaded;
 }

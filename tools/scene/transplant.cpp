@@ -55,6 +55,7 @@ Result<LightDonor> LightDonor::create(Scene scene) {
   PosedLights lights;
   poseLights(out.scene_, pose, lights);
   if (lights.set.size() == 0) return Error{"has no lights to lend", out.scene_.name};
+  if (out.objects_.empty()) return out;
   out.radius_ = boundingSphere(out.scene_, out.objects_, pose).radius;
   if (!(out.radius_ > 0)) return Error{"its objects have no extent to scale lights by", out.scene_.name};
   return out;
@@ -65,6 +66,7 @@ double LightDonor::duration() const noexcept {
 }
 
 Result<LightTransplant> LightTransplant::create(const LightDonor& donor, const Scene& target, int clip) {
+  if (!donor.hasObjects()) return LightTransplant(donor);
   ScenePose pose;
   poseScene(target, clip, 0, pose);
   const Sphere bound = boundingSphere(target, litObjects(target), pose);

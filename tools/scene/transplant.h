@@ -11,6 +11,9 @@ class LightDonor {
   /// Error when the scene has no lights or its objects have no extent.
   static Result<LightDonor> create(Scene scene);
 
+  /// A file of lights alone has none.
+  bool hasObjects() const noexcept { return !objects_.empty(); }
+
   /// Duration [s] of the scene's clip 0, which moves the lights; 0 for a still one.
   double duration() const noexcept;
 
@@ -28,7 +31,8 @@ class LightDonor {
 /// ratio = target radius / donor radius. Radii and ranges grow by ratio, intensities by ratio^2 (irradiance on the
 /// objects stays), radiances and directional irradiances not at all. Centres and radii are those of the bounding sphere
 /// (about the box centre, which moves continuously) of the objects that are not static; of all objects where all are.
-/// Both radii and the target's centre are taken at the first frame, the donor's centre at every time.
+/// Both radii and the target's centre are taken at the first frame, the donor's centre at every time. Lights of a donor
+/// without objects stay as they are.
 class LightTransplant {
  public:
   /// For `target` as its animation `clip` (or kRestPose) begins. `donor` must outlive the transplant. Error when the
