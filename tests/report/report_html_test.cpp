@@ -12,6 +12,8 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <map>
+#include <regex>
 
 namespace rigel::tests {
 namespace {
@@ -61,6 +63,21 @@ TEST(ReportHtml, EveryPageFileIsPutIn) {
     EXPECT_THAT(html, HasSubstr(std::string(file.content))) << file.name;
   }
   EXPECT_EQ(occurrences(html, "{{"), 0u) << "a part of the template is not filled";
+}
+
+/// All scripts share one closure: a name that two of them declare breaks the page.
+TEST(ReportHtml, NoTwoScriptsDeclareOneName) {
+  const std::regex declaration(R"((?:^|\n)(?:const|let|class|(?:async )?function\*?) (\w+))");
+  std::map<std::string, std::string_view> declaredIn;
+  for (const tools::PageFile& file : tools::pageFiles()) {
+    if (!file.name.ends_with(".js") || file.name == "charts.js") continue;
+    const std::string text(file.content);
+    for (std::sregex_iterator at(text.begin(), text.end(), declaration), end; at != end; ++at) {
+      const auto [known, isNew] = declaredIn.try_emplace((*at)[1], file.name);
+      EXPECT_TRUE(isNew) << known->first << " in " << known->second << " and " << file.name;
+    }
+  }
+  EXPECT_GT(declaredIn.size(), 100u);
 }
 
 TEST(ReportHtml, NeedsNothingButItself) {
