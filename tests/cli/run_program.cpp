@@ -36,7 +36,7 @@ Outcome runProgram(const std::vector<std::string>& arguments, const std::string&
   return outcome;
 }
 
-RunningProgram::RunningProgram(const std::vector<std::string>& arguments) {
+pid_t startProgram(const std::vector<std::string>& arguments, const std::string& out, const std::string& err) {
   std::vector<std::string> words{RIGEL_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
@@ -44,12 +44,17 @@ RunningProgram::RunningProgram(const std::vector<std::string>& arguments) {
   pointers.push_back(nullptr);
   posix_spawn_file_actions_t files;
   posix_spawn_file_actions_init(&files);
-  for (const auto& [descriptor, name] : {std::pair{1, "out"}, {2, "err"}})
-    posix_spawn_file_actions_addopen(&files, descriptor, (output_ / name).c_str(), O_WRONLY | O_CREAT, 0600);
-  const int failed = posix_spawn(&id_, RIGEL_PROGRAM, &files, nullptr, pointers.data(), environ);
+  for (const auto& [descriptor, file] : {std::pair{1, out}, {2, err}})
+    posix_spawn_file_actions_addopen(&files, descriptor, file.c_str(), O_WRONLY | O_CREAT, 0600);
+  pid_t id = -1;
+  const int failed = posix_spawn(&id, RIGEL_PROGRAM, &files, nullptr, pointers.data(), environ);
   posix_spawn_file_actions_destroy(&files);
   if (failed != 0) throw std::runtime_error("cannot start " RIGEL_PROGRAM);
+  return id;
 }
+
+RunningProgram::RunningProgram(const std::vector<std::string>& arguments)
+    : id_(startProgram(arguments, output_ / "out", output_ / "err")) {}
 
 RunningProgram::~RunningProgram() {
   if (id_ < 0) return;

@@ -18,7 +18,10 @@ struct Outcome {
 /// Arguments are passed as they are (no shell); `input` is standard input.
 Outcome runProgram(const std::vector<std::string>& arguments, const std::string& input = "");
 
-/// The program in the background, for signals. The destructor kills it.
+/// The program in the background, its output into two files; the caller waits for it.
+pid_t startProgram(const std::vector<std::string>& arguments, const std::string& out, const std::string& err);
+
+/// The same for signals. The destructor kills it.
 class RunningProgram {
  public:
   explicit RunningProgram(const std::vector<std::string>& arguments);
