@@ -1,5 +1,5 @@
 #include "expect.h"
-#include "report/run_settings.h"
+#include "report/run/run_settings.h"
 #include "scene/gltf_load.h"
 #include "scene/pose.h"
 #include "scene/surface.h"

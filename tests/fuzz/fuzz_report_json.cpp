@@ -1,5 +1,5 @@
-#include "report/comparison.h"
-#include "report/earlier_pictures.h"
+#include "report/files/earlier_pictures.h"
+#include "report/formats/comparison.h"
 
 #include "expect.h"
 #include "targets.h"

@@ -1,6 +1,6 @@
 #include "gpu/scene_case.h"
 
-#include "report/run_options.h"
+#include "report/run/run_options.h"
 
 #include <fmt/format.h>
 

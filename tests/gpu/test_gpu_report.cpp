@@ -1,7 +1,7 @@
 // A report whose rigs are evaluated on the GPU says what the CPU's says, and what half floats add.
 #include "gpu/gpu_test.h"
 #include "render/gpu_shading.h"
-#include "report/scene_run.h"
+#include "report/run/scene_run.h"
 
 #include <gtest/gtest.h>
 

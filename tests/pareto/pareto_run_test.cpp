@@ -1,7 +1,7 @@
 // Small studies end to end: figures are those that a report gives.
 #include "pareto/pareto_run.h"
 
-#include "report/scene_run.h"
+#include "report/run/scene_run.h"
 
 #include <gmock/gmock.h>
 

@@ -4,7 +4,7 @@
 #include "pareto/pareto_html.h"
 #include "pareto/pareto_svg.h"
 #include "pareto/pareto_text.h"
-#include "report/page_files.h"
+#include "report/formats/page_files.h"
 #include "support/temporary_folder.h"
 
 #include <gmock/gmock.h>

@@ -1,8 +1,8 @@
 // A captured run gives the errors of the run: to the last bit under the scene's own lights, and under borrowed ones but
 // for what rounding key times and directions to float costs.
-#include "report/capture.h"
+#include "report/run/capture.h"
 
-#include "report/run_settings.h"
+#include "report/run/run_settings.h"
 #include "whole_run.h"
 
 #include <array>

@@ -1,12 +1,11 @@
 // rigel report --compare: the same rigs in two documents, how they are matched, judged and written; and what is
 // refused.
-#include "report/comparison.h"
-#include "report/report_summary.h"
+#include "report/formats/comparison.h"
+#include "report/formats/report_summary.h"
 #include "support/temporary_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
 
 namespace rigel::tests {
 namespace {

@@ -1,8 +1,8 @@
 // The section on disk lights: what is measured where, what each disk used, and nothing without disks.
-#include "report/disk_methods.h"
+#include "report/measure/disk_methods.h"
 
-#include "report/disk_words.h"
-#include "report/report_text.h"
+#include "report/formats/report_text.h"
+#include "report/words/disk_words.h"
 #include "report_fixture.h"
 #include "whole_run.h"
 

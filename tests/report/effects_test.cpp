@@ -1,5 +1,5 @@
 // Effects of a report: the names that report.json has, and what calls for each.
-#include "report/effects.h"
+#include "report/run/effects.h"
 
 #include <gmock/gmock.h>
 

@@ -1,10 +1,10 @@
 // The parts of the error: their sum, and what is left of the error when each cause is switched off for real. What is
 // switched off is computed here anew: the far lights' own set, projected and summed point by point; the rig's weights,
 // taken from Rig::fit and Rig::basis.
-#include "report/object_run.h"
+#include "report/run/object_run.h"
 
 #include "reference/worst.h"
-#include "report/loaded_scene.h"
+#include "report/run/loaded_scene.h"
 #include "whole_run.h"
 
 #include <rigel/exact_bands.h>

@@ -1,5 +1,5 @@
 // Histograms and body parts of errors, against sorted lists and sums over all of them.
-#include "report/error_spread.h"
+#include "report/measure/error_spread.h"
 
 #include "whole_run.h"
 

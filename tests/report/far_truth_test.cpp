@@ -1,6 +1,6 @@
-#include "report/far_truth.h"
+#include "report/measure/far_truth.h"
 
-#include "report/loaded_scene.h"
+#include "report/run/loaded_scene.h"
 
 #include <rigel/near_far.h>
 

@@ -1,6 +1,6 @@
 // --budget-us: one frame's time for all objects of a scene, and what the report says each gave up.
-#include "report/budget_words.h"
-#include "report/report_text.h"
+#include "report/formats/report_text.h"
+#include "report/words/budget_words.h"
 #include "scene/pose.h"
 #include "whole_run.h"
 

@@ -1,9 +1,9 @@
 // A program that is killed while its report takes the place of an earlier one, before each change that it makes to the
 // directory: what is there then is the earlier report, or none, or the new one, never some of each; and the next
 // program puts in order what was left.
-#include "report/earlier_pictures.h"
-#include "report/staged_images.h"
-#include "report/write_together.h"
+#include "report/files/earlier_pictures.h"
+#include "report/files/staged_images.h"
+#include "report/files/write_together.h"
 #include "support/temporary_folder.h"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // What is said of each light, and how much of its course is kept.
-#include "report/light_log.h"
+#include "report/measure/light_log.h"
 
 #include <gmock/gmock.h>
 

@@ -1,7 +1,7 @@
 // A built-in scene in motion at any rate, and how far a rig's light leaps from frame to frame.
 #pragma once
 
-#include "report/rig_runner.h"
+#include "report/measure/rig_runner.h"
 #include "scene/gltf_load.h"
 
 #include <string>

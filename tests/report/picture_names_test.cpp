@@ -1,5 +1,5 @@
 // Pictures of a report never share a file name, and every name fits a file system.
-#include "report/picture_names.h"
+#include "report/pictures/picture_names.h"
 
 #include <gmock/gmock.h>
 

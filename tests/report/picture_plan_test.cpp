@@ -1,5 +1,5 @@
 // The pictures of a whole run: the page's numbers are those of the files, and the page stays small.
-#include "report/picture_plan.h"
+#include "report/pictures/picture_plan.h"
 
 #include "picture/image_io.h"
 #include "unpacked_pixels.h"

@@ -1,4 +1,4 @@
-#include "report/pixel_packing.h"
+#include "report/pictures/pixel_packing.h"
 
 #include "unpacked_pixels.h"
 

@@ -3,7 +3,7 @@
 // samples of the report; otherwise a part of each clip in which lights come and go.
 #include "lights/random.h"
 #include "motion.h"
-#include "report/run_options.h"
+#include "report/run/run_options.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 
 #include "picture/flip.h"
 #include "picture/tone_map.h"
-#include "report/pixel_packing.h"
+#include "report/pictures/pixel_packing.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
 // report.html as text: self-contained, closed against names from files. What it does in a browser: report_page_test.sh.
-#include "report/report_html.h"
+#include "report/formats/report_html.h"
 
 #include "picture/heat_map.h"
-#include "report/base64.h"
-#include "report/page_files.h"
-#include "report/report_json.h"
-#include "report/view3d_json.h"
+#include "report/formats/base64.h"
+#include "report/formats/page_files.h"
+#include "report/formats/report_json.h"
+#include "report/view3d/view3d_json.h"
 #include "report_fixture.h"
 
 #include <fmt/format.h>

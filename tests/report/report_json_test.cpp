@@ -1,5 +1,5 @@
 // report.json: the names scripts rely on, the values behind them, and names from files that try to break it.
-#include "report/report_json.h"
+#include "report/formats/report_json.h"
 
 #include "report_fixture.h"
 

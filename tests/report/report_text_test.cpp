@@ -1,7 +1,7 @@
 // The table on the terminal and the verdict under it.
-#include "report/report_text.h"
+#include "report/formats/report_text.h"
 
-#include "report/verdict.h"
+#include "report/words/verdict.h"
 #include "report_fixture.h"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // The rig frame of any node is rigid: orthonormal, right-handed, and it follows the node.
-#include "report/surface_set.h"
+#include "report/measure/surface_set.h"
 
 #include <rigel/glm.h>
 

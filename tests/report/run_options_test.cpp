@@ -1,5 +1,5 @@
 // What a run is asked to do: the parser of --frames, and values that no run can serve.
-#include "report/run_options.h"
+#include "report/run/run_options.h"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 // Settings of a captured run: what is written reads the same, whatever is wrong is named with its place.
-#include "report/run_settings.h"
+#include "report/run/run_settings.h"
 
 #include <gmock/gmock.h>
 

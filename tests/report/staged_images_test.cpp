@@ -1,7 +1,7 @@
 // Pictures replace those of an earlier report, all of them or none, and nothing that is not ours.
-#include "report/staged_images.h"
+#include "report/files/staged_images.h"
 
-#include "report/made_directory.h"
+#include "report/files/made_directory.h"
 #include "support/temporary_folder.h"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // Which frames a run looks at, and which of them follow on each other.
-#include "report/timeline.h"
+#include "report/run/timeline.h"
 
 #include "scene/pose.h"
 

@@ -1,7 +1,7 @@
 // What the page does with packed pictures, written anew and slowly.
 #pragma once
 
-#include "report/pixel_packing.h"
+#include "report/pictures/pixel_packing.h"
 
 #include <gtest/gtest.h>
 #include <zlib.h>

@@ -1,7 +1,7 @@
 #include "view_fixture.h"
 
-#include "report/view3d_json.h"
-#include "report/view3d_plan.h"
+#include "report/view3d/view3d_json.h"
+#include "report/view3d/view3d_plan.h"
 
 #include <cmath>
 #include <numbers>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "report/report_data.h"
-#include "report/view3d_data.h"
+#include "report/view3d/view3d_data.h"
 
 namespace rigel::tests {
 

@@ -1,7 +1,7 @@
 // Runs a scene as `rigel report` does, without pictures.
 #pragma once
 
-#include "report/scene_run.h"
+#include "report/run/scene_run.h"
 
 #include "scene/gltf_load.h"
 #include "scene/gltf_save.h"

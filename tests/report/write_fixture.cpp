@@ -1,6 +1,6 @@
 // Writes a made-up report, for tests/page and for looking at: report_fixture made-up|crowd|smallest|hostile DIR
-#include "report/report_text.h"
-#include "report/write_report.h"
+#include "report/files/write_report.h"
+#include "report/formats/report_text.h"
 #include "report_fixture.h"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // report.html and report.json appear together or not at all.
-#include "report/write_report.h"
+#include "report/files/write_report.h"
 
 #include "report_fixture.h"
 #include "support/temporary_folder.h"

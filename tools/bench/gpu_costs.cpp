@@ -1,7 +1,7 @@
 #include "bench/gpu_costs.h"
 
 #include "render/point_timer.h"
-#include "report/run_options.h"
+#include "report/run/run_options.h"
 #include "samples/samples.h"
 #include "scene/gltf_load.h"
 #include "shader_binaries.h"

@@ -7,8 +7,8 @@
 #include "pareto/pareto_run.h"
 #include "pareto/pareto_text.h"
 #include "pareto/write_pareto.h"
-#include "report/made_directory.h"
-#include "report/report_json.h"
+#include "report/files/made_directory.h"
+#include "report/formats/report_json.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // rigel sample: lists the built-in scenes, or writes one as glTF.
 #include "command.h"
-#include "report/run_settings.h"
+#include "report/run/run_settings.h"
 #include "samples/samples.h"
 #include "scene/gltf_save.h"
 

@@ -3,7 +3,7 @@
 #include "cli/progress_line.h"
 #include "picture/file_replace.h"
 #include "picture/image_io.h"
-#include "report/made_directory.h"
+#include "report/files/made_directory.h"
 
 #include <rigel/disk_table.h>
 #include <rigel/make_disk_table.h>

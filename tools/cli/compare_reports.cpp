@@ -1,10 +1,10 @@
 #include "cli/compare_reports.h"
 
 #include "cli/command.h"
-#include "report/comparison.h"
-#include "report/report_json.h"
-#include "report/wording.h"
-#include "report/write_together.h"
+#include "report/files/write_together.h"
+#include "report/formats/comparison.h"
+#include "report/formats/report_json.h"
+#include "report/words/wording.h"
 
 #include <fmt/format.h>
 

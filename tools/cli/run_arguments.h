@@ -1,7 +1,7 @@
 // The options that every subcommand which runs a scene understands: what is looked at, when, and how its rigs choose.
 #pragma once
 
-#include "report/run_settings.h"
+#include "report/run/run_settings.h"
 
 #include <CLI/CLI.hpp>
 

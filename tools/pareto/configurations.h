@@ -1,7 +1,7 @@
 // What `rigel pareto` compares: rigs over their sizes, near lights, bands, forms of near light, storage.
 #pragma once
 
-#include "report/run_options.h"
+#include "report/run/run_options.h"
 
 #include <string>
 #include <vector>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "pareto/configurations.h"
-#include "report/rig_runner.h"
+#include "report/measure/rig_runner.h"
 
 namespace rigel::tools {
 

@@ -3,8 +3,8 @@
 
 #include "pareto/configurations.h"
 #include "pareto/pareto_data.h"
-#include "report/far_truth.h"
-#include "report/frame_errors.h"
+#include "report/measure/far_truth.h"
+#include "report/measure/frame_errors.h"
 
 #include <functional>
 

@@ -1,7 +1,7 @@
 #include "pareto/pareto_html.h"
 
-#include "report/page_template.h"
-#include "report/report_html.h"
+#include "report/formats/page_template.h"
+#include "report/formats/report_html.h"
 
 namespace rigel::tools {
 

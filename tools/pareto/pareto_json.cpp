@@ -1,7 +1,7 @@
 #include "pareto/pareto_json.h"
 
 #include "pareto/pareto_axes.h"
-#include "report/report_summary.h"
+#include "report/formats/report_summary.h"
 
 #include <fmt/format.h>
 

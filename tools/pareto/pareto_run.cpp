@@ -2,7 +2,7 @@
 
 #include "pareto/gpu_times.h"
 #include "pareto/machine.h"
-#include "report/loaded_scene.h"
+#include "report/run/loaded_scene.h"
 
 #include <algorithm>
 #include <chrono>

@@ -1,7 +1,7 @@
 #include "pareto/pareto_text.h"
 
 #include "pareto/pareto_axes.h"
-#include "report/wording.h"
+#include "report/words/wording.h"
 
 #include <fmt/format.h>
 

@@ -3,8 +3,8 @@
 #include "pareto/pareto_html.h"
 #include "pareto/pareto_json.h"
 #include "pareto/pareto_svg.h"
-#include "report/report_json.h"
-#include "report/write_together.h"
+#include "report/files/write_together.h"
+#include "report/formats/report_json.h"
 
 namespace rigel::tools {
 namespace {

@@ -1,7 +1,7 @@
 // What `rigel render` is asked to do.
 #pragma once
 
-#include "report/run_options.h"
+#include "report/run/run_options.h"
 
 #include <rigel/effects.h>
 

@@ -4,7 +4,7 @@
 #include "picture/image.h"
 #include "render/compare.h"
 #include "render/scene_renderer.h"
-#include "report/loaded_scene.h"
+#include "report/run/loaded_scene.h"
 
 #include <memory>
 

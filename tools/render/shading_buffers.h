@@ -3,7 +3,7 @@
 
 #include "gpu/commands.h"
 #include "render/render_options.h"
-#include "report/rig_runner.h"
+#include "report/measure/rig_runner.h"
 
 #include <rigel/gpu_rig.h>
 

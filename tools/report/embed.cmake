@@ -14,7 +14,7 @@ foreach(file IN LISTS FILES)
   string(APPEND entries "    {\"${name}\", R\"page(${content})page\"sv},\n")
 endforeach()
 file(WRITE "${OUTPUT}"
-  "#include \"report/page_files.h\"\n\n"
+  "#include \"report/formats/page_files.h\"\n\n"
   "namespace rigel::tools {\n\n"
   "std::span<const PageFile> ${FUNCTION}() noexcept {\n"
   "  using namespace std::string_view_literals;  // which count nothing when they are compiled, however long they are\n"

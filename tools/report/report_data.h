@@ -3,7 +3,7 @@
 #pragma once
 
 #include "report/error_breakdown.h"
-#include "report/pixel_frame.h"
+#include "report/pictures/pixel_frame.h"
 
 #include <rigel/object_lighting.h>
 
@@ -137,7 +137,7 @@ struct ObjectReport {
   std::vector<RigReport> rigs;
   std::vector<Picture> pictures;   // all of one frame together: truth first
   std::vector<PixelFrame> pixels;  // for the page, in the order of time
-  std::string view3d;             // for the page (view3d_json.h); "" without one
+  std::string view3d;              // for the page (view3d_json.h); "" without one
 };
 
 struct LightRow {

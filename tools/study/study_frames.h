@@ -1,8 +1,8 @@
 // The inputs of the studies: every object of a scene, frame by frame, with what each light gives each surface point.
 #pragma once
 
-#include "report/surface_set.h"
-#include "report/timeline.h"
+#include "report/measure/surface_set.h"
+#include "report/run/timeline.h"
 #include "scene/transplant.h"
 
 #include <functional>
