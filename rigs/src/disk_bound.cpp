@@ -39,7 +39,7 @@ class DiskBound {
         nodes_(diskAspect(place.nodes, axis, radius, twoSided, kMargin * plan.radius)) {}
 
   LightBound operator()() noexcept {
-    if (!(served_.share > 0)) return {0, 0, contact()};
+    if (!(served_.share > 0)) return {0, 0, gap()};
     const double error = plan_.kind == BoundPlan::Kind::samples ? sampleError() : tensorError();
     const double vector = field_.vector(served_);
     const double peak = field_.perVector() * vector;
@@ -47,18 +47,15 @@ class DiskBound {
     // Behind the plane there is no light, but an object that comes to it from there must be expected.
     const bool lit = served_.high > 0;
     return {heldBound(lit ? whole : served_.share * whole), lit ? heldBound(field_.exactPerVector() * vector) : 0,
-            contact()};
+            gap()};
   }
 
  private:
   // Of the object's radius: how far behind the plane its light is faded in.
   static constexpr double kMargin = 0.1;
 
-  float contact() const noexcept {
-    constexpr double kOuter = double{kContactOuter}, kInner = double{kContactInner};
-    if (!(plan_.radius > 0)) return 0;
-    const double x = std::clamp((kOuter * plan_.radius - served_.gap) / ((kOuter - kInner) * plan_.radius), 0.0, 1.0);
-    return static_cast<float>(x * x * (3 - 2 * x));
+  float gap() const noexcept {
+    return plan_.radius > 0 ? static_cast<float>(served_.gap / plan_.radius) : LightBound().gap;
   }
 
   /// What `project` may be off by, relative to the peak (disk.h): it falls with the eighth power of the distance.

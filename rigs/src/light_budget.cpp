@@ -51,7 +51,7 @@ BudgetOutcome lightWithinBudget(std::span<ObjectLighting<B>* const> objects, std
                                 std::span<BudgetShare> shares) {
   assert(shares.size() == objects.size() && (visibility.empty() || visibility.size() == objects.size()));
   for (std::size_t i = 0; i < objects.size(); ++i) {
-    objects[i]->weigh(lights);
+    objects[i]->weigh(lights, seconds);
     const LightingOptions& options = objects[i]->options();
     shares[i].wanted = options.target.value;
     shares[i].visibility = visibility.empty() ? 1 : visibility[i];

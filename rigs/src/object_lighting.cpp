@@ -44,6 +44,7 @@ void ObjectLighting<B>::setPose(const RigPose& pose, const RigFrame& worldFromRi
 template <int B>
 void ObjectLighting<B>::reset() noexcept {
   state_->nearFar.reset();
+  state_->faces.reset();
   state_->fresh = true;
 }
 
@@ -51,7 +52,7 @@ template <int B>
 void ObjectLighting<B>::light(const LightSet& lights, float seconds, std::span<const std::uint32_t> ids,
                               LightingProbe probe) {
   if (state_->chooses()) {
-    state_->weigh(lights, probe);
+    state_->weigh(lights, seconds, ids, probe);
     state_->settle(lights, state_->options.target.value, seconds, ids, probe);
   } else {
     state_->lightFixed(lights, seconds, ids, probe);
@@ -59,8 +60,9 @@ void ObjectLighting<B>::light(const LightSet& lights, float seconds, std::span<c
 }
 
 template <int B>
-void ObjectLighting<B>::weigh(const LightSet& lights, LightingProbe probe) {
-  state_->weigh(lights, probe);
+void ObjectLighting<B>::weigh(const LightSet& lights, float seconds, std::span<const std::uint32_t> ids,
+                              LightingProbe probe) {
+  state_->weigh(lights, seconds, ids, probe);
 }
 template <int B>
 float ObjectLighting<B>::costAt(float target) const {

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "approach.h"
+#include "face_contact.h"
 #include "surface_check.h"
 #include "weights.h"
 
@@ -75,7 +76,7 @@ struct ObjectLighting<B>::State {
     if (measured) check.setPose(rig, pose.anchors, worldFromRig);
   }
 
-  void boundLights(const LightSet& lights) {
+  void boundLights(const LightSet& lights, float seconds, std::span<const std::uint32_t> ids) {
     const LightBounds bounds(rig, frame, options.wrap);
     const int count = lights.size();
     errors.resize(count);
@@ -84,14 +85,17 @@ struct ObjectLighting<B>::State {
     urgent.resize(count);
     culled.resize(count);
     verdicts.resize(count);
+    if (chooses()) faces.begin(seconds, lights.size());
     for (int i = 0; i < count; ++i) {
+      const auto id = ids.empty() ? static_cast<std::uint32_t>(i) : ids[i];
       lights.visit(i, [&](const auto& light) {
         const LightBound bound = bounds(light);
         const float size = magnitude(colourOf(light));
         errors[i] = lighting::orNothing(bound.error * size);
         peaks[i] = lighting::orNothing(bound.peak * size);
         culled[i] = peaks[i] > 0 ? 0 : 1;
-        contacts[i] = size > 0 ? bound.contact : 0;
+        const float contact = chooses() ? faces.share(id, bound.gap) : FaceContact::shareAtAnySpeed(bound.gap);
+        contacts[i] = size > 0 ? contact : 0;
         const float leap = static_cast<float>(kPi) * contacts[i] * size;
         urgent[i] = lighting::urgency(std::max(errors[i], leap), contacts[i]);
       });
@@ -118,7 +122,7 @@ struct ObjectLighting<B>::State {
     near.clear();
     const LightSet* far = &lights;
     if (slots > 0 || options.estimate) {
-      boundLights(lights);
+      boundLights(lights, seconds, ids);
       lighting::finish(probe, LightingStage::bound);
     }
     if (slots > 0) {
@@ -240,9 +244,9 @@ struct ObjectLighting<B>::State {
     near.reserve(std::min(count, slots));
   }
 
-  void weigh(const LightSet& lights, LightingProbe probe) {
+  void weigh(const LightSet& lights, float seconds, std::span<const std::uint32_t> ids, LightingProbe probe) {
     makeRoom(lights.size());
-    boundLights(lights);
+    boundLights(lights, seconds, ids);
     lighting::finish(probe, LightingStage::bound);
     chooseCandidates();
     describeLights(lights);
@@ -356,6 +360,7 @@ struct ObjectLighting<B>::State {
   SurfaceCheck<B> check;
   bool measured = false;  // errors are, at the check's own anchors
   RigFrame frame;
+  FaceContact faces;
   NearFar nearFar;
   TradeOff tradeOff;
   TradeOff::Choice choice;

@@ -30,7 +30,7 @@ struct LightRows {
   std::vector<float> weight;         // width: squared factor from SH to irradiance
   std::vector<float> excess;         // per block, [W/m2]^2: of a light so close that it varies between the rows' points
   std::vector<float> fade;           // per light: 0 for one that is about to leave the candidates, 1 for all others
-  std::vector<float> contact;        // per light: share that is near whatever is chosen (LightBound::contact)
+  std::vector<float> contact;        // per light: share that is near whatever is chosen (FaceContact)
   float tail = 1;                    // all truncated energy over that of `truncation`
   float inflation = 1;               // fixed rigs: mean-square error at other points over that at the rows' points
 

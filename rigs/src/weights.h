@@ -21,8 +21,8 @@ inline float nearWeight(float error, float floor) noexcept {
   return smoothstep(error / floor - 1);
 }
 
-/// How much of a disk light is near because the object may touch its face (LightBound::contact): nothing where the gap
-/// is kContactOuter of the object's radius, all at kContactInner. In time for weights that rise within 50 ms, at 8
+/// How much of a disk light is near because the object may touch its face, where speeds are unknown: nothing where the
+/// gap is kContactOuter of the object's radius, all at kContactInner. In time for weights that rise within 50 ms, at 8
 /// radii a second.
 inline constexpr float kContactOuter = 0.6f, kContactInner = 0.2f;
 

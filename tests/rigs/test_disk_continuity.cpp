@@ -34,6 +34,7 @@ LightSet aroundADisk(bool twoSided) {
 
 std::vector<Passage> passages() {
   return {{"through the face", {-1.6f, 0.05f, 0.1f}, {2.1f, 0.1f, 0}, true},
+          {"through the face at eight radii a second", {-7, 0.05f, 0.1f}, {7.2f, 0.1f, 0}, true},
           {"past the rim, before the face", {0.56f, -2.4f, 0.1f}, {0, 3.2f, 0}},
           {"past the rim, into its plane and behind", {0.2f, 2.6f, 0.1f}, {-0.3f, -3.3f, 0.1f}, true},
           {"behind", {-0.7f, 2.2f, 0}, {0, -2.9f, 0}},

@@ -128,7 +128,7 @@ TEST(ObjectLighting, TwoStepsAreTheSameAsOne) {
     for (int frame = 0; frame < 4; ++frame) {
       const LightSet lights = lightsAround(static_cast<unsigned>(frame), 20);
       one.lighting.light(lights, 1.0f / 60);
-      two.lighting.weigh(lights);
+      two.lighting.weigh(lights, 1.0f / 60);
       const float cost = two.lighting.costAt(0.04f);
       two.lighting.settle(lights, 0.04f, 1.0f / 60);
       EXPECT_GT(cost, 0);

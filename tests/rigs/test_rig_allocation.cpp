@@ -158,7 +158,7 @@ TEST(RigAllocation, ObjectLightingAllocatesNothingAfterItsFirstFrame) {
       lighting->setPose({{{0.2f * t - 2, -0.5f, -0.5f}, {0.2f * t + 2, 0.5f, 0.5f}}, anchors}, {});
       if (frame % 5 == 4) lighting->reset();
       if (options.target.kind == Kind::spatialError && frame % 2 == 1) {
-        lighting->weigh(lights);
+        lighting->weigh(lights, 1.0f / 60);
         (void)lighting->costAt(0.1f);
         lighting->settle(lights, 0.1f, 1.0f / 60);
       } else {

@@ -15,6 +15,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 
 namespace rigel {
 
@@ -23,10 +24,10 @@ namespace rigel {
 struct LightBound {
   float error = 0;  // of the rig's SH against the SH of the same bands at each point
   float peak = 0;   // of the light's own irradiance; 0 only where it gives the object nothing at all
-  /// 1 where the object may pass through the face of a disk light, 0 farther than 0.6 of its radius from the face. What
-  /// passes from behind to before a face leaps from darkness to all of the light; no rig can follow, and only a light
-  /// that is evaluated exactly leaps with it.
-  float contact = 0;
+  /// Distance to the face of a disk light, or less, in radii of the object; infinite for other lights. What passes from
+  /// behind to before a face leaps from darkness to all of the light; no rig can follow, and only a light that is
+  /// evaluated exactly leaps with it.
+  float gap = std::numeric_limits<float>::infinity();
 };
 
 namespace detail {

@@ -128,7 +128,7 @@ class ObjectLighting {
   /// `light` in two steps, for who spreads a frame's time over many objects (light_budget.h). `weigh` finds what every
   /// choice would cost; `costAt` says what [ns a point] an error target costs, and `settle` takes it in place of
   /// options().target.value. Needs a target of kind spatialError or totalError.
-  void weigh(const LightSet& lights, LightingProbe probe = {});
+  void weigh(const LightSet& lights, float seconds, std::span<const std::uint32_t> ids = {}, LightingProbe probe = {});
   float costAt(float target) const;
   void settle(const LightSet& lights, float target, float seconds, std::span<const std::uint32_t> ids = {},
               LightingProbe probe = {});

@@ -88,9 +88,9 @@ class RunnerOf final : public RigRunner {
     StageClock clock(times_);
     lighting_.light(lights, seconds, {}, clock.probe());
   }
-  void weigh(const LightSet& lights) override {
+  void weigh(const LightSet& lights, float seconds) override {
     StageClock clock(times_);
-    lighting_.weigh(lights, clock.probe());
+    lighting_.weigh(lights, seconds, {}, clock.probe());
     clock.ended(FitTimes::kChoose);
   }
   float costAt(float target) const override { return lighting_.costAt(target); }
@@ -236,7 +236,7 @@ Result<std::unique_ptr<RigRunner>> makeRigRunner(const RigSpec& spec, const Ligh
 void lightWithin(float microseconds, std::span<RigRunner* const> rigs, const LightSet& lights, float seconds,
                  std::span<BudgetShare> shares) {
   for (std::size_t i = 0; i < rigs.size(); ++i) {
-    rigs[i]->weigh(lights);
+    rigs[i]->weigh(lights, seconds);
     shares[i].wanted = rigs[i]->asked().target.value;
     shares[i].points = static_cast<float>(rigs[i]->asked().points);
   }

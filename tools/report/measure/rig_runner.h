@@ -43,7 +43,7 @@ class RigRunner {
   virtual void light(const LightSet& lights, float seconds) = 0;
 
   /// The same in two steps, as ObjectLighting has them, for rigs that choose and share a frame's time.
-  virtual void weigh(const LightSet& lights) = 0;
+  virtual void weigh(const LightSet& lights, float seconds) = 0;
   virtual float costAt(float target) const = 0;
   virtual void settle(const LightSet& lights, float target, float seconds) = 0;
 

@@ -211,7 +211,7 @@ void ObjectRun::relight(std::size_t i, std::size_t frame, const PosedObject& pos
   rig.runner->reset();
   rig.runner->pose(*object_, posed);
   if (const auto granted = rig.tally.granted(frame)) {
-    rig.runner->weigh(lights);
+    rig.runner->weigh(lights, 0);
     rig.runner->settle(lights, *granted, 0);
   } else {
     rig.runner->light(lights, 0);
