@@ -26,8 +26,9 @@ Rgb scaled(Rgb colour, double scale) noexcept {
 void setNearest(PreparedLight& light, double unit) noexcept {
   const double r2 = static_cast<double>(light.radius) * light.radius;
   const double held = unit / detail::largestFlux(light.colour);
-  const double nearest =
-      std::max({detail::kCloseSquare * r2, held, std::cbrt(held * held), detail::kMinPreparedSquare});
+  double nearest = std::max({detail::kCloseSquare * r2, held, detail::kMinPreparedSquare});
+  // The cube root is asked for where it counts, at lights as bright as none that is meant.
+  if (held * held > nearest * nearest * nearest) nearest = std::cbrt(held * held);
   light.nearestSquare = nearest < kLargest ? static_cast<float>(nearest) : std::numeric_limits<float>::infinity();
 }
 

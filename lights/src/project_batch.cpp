@@ -30,6 +30,7 @@ using detail::kTileVectors;
 using detail::LightBlock;
 using detail::PreparedKind;
 using detail::PreparedLight;
+using detail::RawRgb;
 
 /// A block of lights at a vector of points, without those that reach none of them.
 template <int B>
@@ -37,10 +38,10 @@ struct Rows {
   int count = 0;
   SeenLanes seen[kLightBlock];
   Lane basis[kLightBlock][B * B];
-  const Rgb* colour = nullptr;
+  const RawRgb* colour = nullptr;
 
   // Of points and spots; all spheres are there.
-  Rgb colours[kLightBlock];
+  RawRgb colours[kLightBlock];
   const float* shares[kLightBlock];
 
   // What takes more than one look.
@@ -59,15 +60,37 @@ HWY_INLINE typename Rows<B>::Unsure unsureOf(const PreparedLight& light, int row
   return {&light, row, oneWhere(served), oneWhere(sight.small), sight.s2};
 }
 
+/// Lines of LinesAhead, a few a light and vector.
+class Fetch {
+ public:
+  Fetch(LinesAhead ahead, std::size_t lights, std::size_t points)
+      : next_(ahead.data()), end_(ahead.data() + ahead.size()) {
+    const std::size_t steps = std::max<std::size_t>(lights * ((points + Lane::kCount - 1) / Lane::kCount), 1);
+    lines_ = static_cast<std::ptrdiff_t>((ahead.size() + steps - 1) / steps);
+  }
+  HWY_INLINE void step() {
+    for (const void* const* stop = next_ + std::min(lines_, end_ - next_); next_ != stop; ++next_)
+      __builtin_prefetch(*next_, 0, kSecondLevel);
+  }
+
+ private:
+  static constexpr int kSecondLevel = 2;
+  const void* const* next_;
+  const void* const* end_;
+  std::ptrdiff_t lines_;
+};
+
 /// The way to the next light is begun before that to the one at hand is finished: the chain from a position to what is
 /// seen is longer than a core looks ahead.
 template <int B, PreparedKind Kind, bool WithFootprint>
-HWY_NOINLINE void seeBlock(const LightBlock& block, const PointLanes& points, Rows<B>& rows) {
+HWY_NOINLINE void seeBlock(const LightBlock& block, const PointLanes& points, Fetch& ahead, Rows<B>& rows) {
   int count = 0, unsureCount = 0;
+  Fetch fetch = ahead;
   ApartLanes next = apartFrom(*block.light[0], points);
   for (int i = 0; i < block.count; ++i) {
     const ApartLanes apart = next;
     next = apartFrom(*block.light[i + 1], points);
+    fetch.step();
     const PreparedLight& light = *block.light[i];
     const Sight sight = see<B, Kind, WithFootprint>(light, points, apart, rows.seen[count], nullptr);
     if (Kind != PreparedKind::sphere && sight.dark) continue;
@@ -78,6 +101,7 @@ HWY_NOINLINE void seeBlock(const LightBlock& block, const PointLanes& points, Ro
     }
     ++count;
   }
+  ahead = fetch;
   rows.colour = Kind == PreparedKind::sphere ? block.colour.data() : rows.colours;
   rows.count = count;
   rows.unsureCount = unsureCount;
@@ -111,7 +135,7 @@ HWY_NOINLINE void addWeighed(const Rows<B>& rows, Lane* sums) {
   HWY_UNROLL(27)
   for (int i = 0; i < 3 * B * B; ++i) held[i] = sums[i].v;
   for (int k = 0; k < rows.count; ++k) {
-    const Rgb& colour = rows.colour[k];
+    const RawRgb& colour = rows.colour[k];
     weighBasis<B>(rows.seen[k], [&](int i, Lane number) HWY_ATTR {
       held[3 * i] = hn::MulAdd(number.v, Lane(colour.r).v, held[3 * i]);
       held[3 * i + 1] = hn::MulAdd(number.v, Lane(colour.g).v, held[3 * i + 1]);
@@ -137,11 +161,11 @@ template <int B>
 constexpr int kRows = 3 * B* B;
 
 template <int B, PreparedKind Kind, bool WithFootprint>
-void addBlock(LightBlock& block, const Tile& tile, std::size_t period, Rows<B>& rows, Lane* sums) {
+void addBlock(LightBlock& block, const Tile& tile, std::size_t period, Fetch& ahead, Rows<B>& rows, Lane* sums) {
   block.light[block.count] = block.light[block.count - 1];
   for (int v = 0; v < tile.vectors; ++v, sums += kRows<B>) {
     const PointLanes points = tile.points(v);
-    seeBlock<B, Kind, WithFootprint>(block, points, rows);
+    seeBlock<B, Kind, WithFootprint>(block, points, ahead, rows);
     seeUnsure<B>(points, rows);
     if (block.shared) weighShares<B, Kind>(block, tile.shareAt(v, period), rows);
     if constexpr (B * B <= kSumGroup) {
@@ -157,7 +181,7 @@ void addBlock(LightBlock& block, const Tile& tile, std::size_t period, Rows<B>& 
 
 template <int B, bool WithFootprint>
 HWY_NOINLINE void sumLocalLights(const PreparedLights& lights, std::span<const LightUse> uses,
-                                 const PointShares& shares, const Tile& tile, Lane* sums) {
+                                 const PointShares& shares, const Tile& tile, Fetch& ahead, Lane* sums) {
   Rows<B> rows;
   LightBlock spheres, points, spots;
   for (std::size_t u = 0; u < uses.size(); ++u) {
@@ -169,15 +193,16 @@ HWY_NOINLINE void sumLocalLights(const PreparedLights& lights, std::span<const L
       block.colour[block.count] = light.colour * share;
       block.shares[block.count] = row;
       block.shared = block.shared || row != nullptr;
-      if (++block.count == kLightBlock) addBlock<B, Kind, WithFootprint>(block, tile, shares.period, rows, sums);
+      if (++block.count == kLightBlock) addBlock<B, Kind, WithFootprint>(block, tile, shares.period, ahead, rows, sums);
     };
     if (light.kind == PreparedKind::sphere) add(spheres, std::integral_constant<PreparedKind, PreparedKind::sphere>());
     if (light.kind == PreparedKind::point) add(points, std::integral_constant<PreparedKind, PreparedKind::point>());
     if (light.kind == PreparedKind::spot) add(spots, std::integral_constant<PreparedKind, PreparedKind::spot>());
   }
-  if (spheres.count > 0) addBlock<B, PreparedKind::sphere, WithFootprint>(spheres, tile, shares.period, rows, sums);
-  if (points.count > 0) addBlock<B, PreparedKind::point, WithFootprint>(points, tile, shares.period, rows, sums);
-  if (spots.count > 0) addBlock<B, PreparedKind::spot, WithFootprint>(spots, tile, shares.period, rows, sums);
+  if (spheres.count > 0)
+    addBlock<B, PreparedKind::sphere, WithFootprint>(spheres, tile, shares.period, ahead, rows, sums);
+  if (points.count > 0) addBlock<B, PreparedKind::point, WithFootprint>(points, tile, shares.period, ahead, rows, sums);
+  if (spots.count > 0) addBlock<B, PreparedKind::spot, WithFootprint>(spots, tile, shares.period, ahead, rows, sums);
 }
 
 /// What the points of a vector take of a light.
@@ -256,17 +281,18 @@ HWY_NOINLINE void finish(const RadianceSH<B>& everywhere, int vectors, Lane* sum
 
 template <int B>
 void projectPoints(const PreparedLights& lights, std::span<const LightUse> uses, const Vec3Rows& points,
-                   std::span<const float> footprints, const PointShares& shares, float* out) {
+                   std::span<const float> footprints, const PointShares& shares, LinesAhead ahead, float* out) {
   RadianceSH<B> everywhere;
   if (lights.anyDirectional()) everywhere = detail::directionalSh<B>(lights, uses, shares);
   Lane sums[kTileVectors * kRows<B>];
+  Fetch fetch(ahead, uses.size(), points.size());
   for (std::size_t at = 0; at < points.size(); at += kTileVectors * Lane::kCount) {
     const Tile tile(points, footprints, at);
     std::fill_n(sums, tile.vectors * kRows<B>, Lane(0.0f));
     if (footprints.empty())
-      sumLocalLights<B, false>(lights, uses, shares, tile, sums);
+      sumLocalLights<B, false>(lights, uses, shares, tile, fetch, sums);
     else
-      sumLocalLights<B, true>(lights, uses, shares, tile, sums);
+      sumLocalLights<B, true>(lights, uses, shares, tile, fetch, sums);
     finish<B>(everywhere, tile.vectors, sums);
     if (lights.anyDisk()) addDisks<B>(lights, uses, shares, tile, sums);
     if (lights.anyDirectional()) addSharedDirectional<B>(lights, uses, shares, tile, sums);
@@ -277,11 +303,12 @@ void projectPoints(const PreparedLights& lights, std::span<const LightUse> uses,
 }  // namespace
 
 void projectLights(const PreparedLights& lights, std::span<const LightUse> uses, const Vec3Rows& points,
-                   std::span<const float> footprints, const PointShares& shares, int bands, float* sums) {
-  if (bands == 2) return projectPoints<2>(lights, uses, points, footprints, shares, sums);
-  if (bands == 3) return projectPoints<3>(lights, uses, points, footprints, shares, sums);
-  if (bands == 4) return projectPoints<4>(lights, uses, points, footprints, shares, sums);
-  return projectPoints<5>(lights, uses, points, footprints, shares, sums);
+                   std::span<const float> footprints, const PointShares& shares, LinesAhead ahead, int bands,
+                   float* sums) {
+  if (bands == 2) return projectPoints<2>(lights, uses, points, footprints, shares, ahead, sums);
+  if (bands == 3) return projectPoints<3>(lights, uses, points, footprints, shares, ahead, sums);
+  if (bands == 4) return projectPoints<4>(lights, uses, points, footprints, shares, ahead, sums);
+  return projectPoints<5>(lights, uses, points, footprints, shares, ahead, sums);
 }
 
 }  // namespace rigel::HWY_NAMESPACE
@@ -294,17 +321,18 @@ HWY_EXPORT(projectLights);
 
 template <int B>
 void projectBatch(const PreparedLights& lights, std::span<const LightUse> uses, const Vec3Rows& points,
-                  std::span<const float> footprints, std::span<float> sums, const PointShares& shares) noexcept {
+                  std::span<const float> footprints, std::span<float> sums, const PointShares& shares,
+                  LinesAhead ahead) noexcept {
   assert(points.y.size() == points.size() && points.z.size() == points.size());
   assert(footprints.empty() || footprints.size() == points.size());
   assert(sums.size() == 3 * B * B * points.size());
   assert(shares.rows.empty() || (shares.rows.size() == uses.size() && shares.period > 0));
-  HWY_DYNAMIC_DISPATCH(projectLights)(lights, uses, points, footprints, shares, B, sums.data());
+  HWY_DYNAMIC_DISPATCH(projectLights)(lights, uses, points, footprints, shares, ahead, B, sums.data());
 }
 
 #define RIGEL_INSTANTIATE(B)                                                                       \
   template void projectBatch<B>(const PreparedLights&, std::span<const LightUse>, const Vec3Rows&, \
-                                std::span<const float>, std::span<float>, const PointShares&) noexcept;
+                                std::span<const float>, std::span<float>, const PointShares&, LinesAhead) noexcept;
 RIGEL_INSTANTIATE(2)
 RIGEL_INSTANTIATE(3)
 RIGEL_INSTANTIATE(4)

@@ -29,6 +29,7 @@ using detail::kSlopeBlock;
 using detail::LightBlock;
 using detail::PreparedKind;
 using detail::PreparedLight;
+using detail::RawRgb;
 using detail::SlopeNumbers;
 
 template <int B>
@@ -45,13 +46,13 @@ struct SlopeRows {
   BandWeights<B> weights[kSlopeBlock];
   Lane numbers[kSlopeBlock][kNumbers<B>];
   bool withExcess[kSlopeBlock];
-  Rgb colours[kSlopeBlock];
+  RawRgb colours[kSlopeBlock];
 
   // Where a cone's slope counts: the value's numbers for `axial` in place of e, and colours times the axis, backwards.
   int axialCount = 0;
   SeenLanes axialSeen[kSlopeBlock];
   Lane axialNumbers[kSlopeBlock][B * B];
-  Rgb axialColours[3][kSlopeBlock];
+  RawRgb axialColours[3][kSlopeBlock];
 };
 
 /// The lanes that float does not serve, one by one in double.
@@ -169,7 +170,7 @@ HWY_NOINLINE void addPart(const SlopeRows<B>& rows, Lane* sums) {
   HWY_UNROLL(27)
   for (int i = 0; i < kSums; ++i) held[i] = sums[i].v;
   for (int k = 0; k < rows.count; ++k) {
-    const Rgb& colour = rows.colours[k];
+    const RawRgb& colour = rows.colours[k];
     weighPart<B, Part>(rows.seen[k], rows.weights[k], [&](int i, Lane number) HWY_ATTR {
       held[3 * i] = hn::MulAdd(number.v, Lane(colour.r).v, held[3 * i]);
       held[3 * i + 1] = hn::MulAdd(number.v, Lane(colour.g).v, held[3 * i + 1]);

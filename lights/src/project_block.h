@@ -21,11 +21,20 @@ inline constexpr int kSlopeBlock = 16;
 /// Vectors of points that a block of lights serves while it is at hand.
 inline constexpr int kTileVectors = 4;
 
+/// An Rgb that begins with no value: blocks of lights are made for every tile, and hold few lights or many.
+struct RawRgb {
+  float r, g, b;
+
+  RawRgb() = default;
+  RawRgb(Rgb c) noexcept : r(c.r), g(c.g), b(c.b) {}
+  operator Rgb() const noexcept { return {r, g, b}; }
+};
+
 /// Lights of one kind, and their colours times shares.
 struct LightBlock {
   int count = 0;
   std::array<const PreparedLight*, kLightBlock + 1> light;  // one more, any, behind the last
-  std::array<Rgb, kLightBlock> colour;
+  std::array<RawRgb, kLightBlock> colour;
   std::array<const float*, kLightBlock> shares;  // of PointShares
   bool shared = false;                           // not all of them null
 };

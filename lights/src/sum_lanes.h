@@ -21,7 +21,7 @@ inline constexpr int kSumGroup = 3;
 
 /// sums[3 i + colour] += numbers[light][i] * colours[light], for `Count` coefficients from `First` on.
 template <int N, int First, int Count>
-HWY_INLINE void addGroup(const Lane (*numbers)[N], const Rgb* colours, int lights, Lane* sums) {
+HWY_INLINE void addGroup(const Lane (*numbers)[N], const detail::RawRgb* colours, int lights, Lane* sums) {
   Lane held[3 * Count];
   HWY_UNROLL(27)
   for (int i = 0; i < 3 * Count; ++i) held[i].v = sums[3 * First + i].v;
@@ -41,7 +41,7 @@ HWY_INLINE void addGroup(const Lane (*numbers)[N], const Rgb* colours, int light
 
 /// The first `End` of N coefficients, in groups as equal as they can be.
 template <int N, int End = N, int First = 0>
-HWY_INLINE void addGroups(const Lane (*numbers)[N], const Rgb* colours, int lights, Lane* sums) {
+HWY_INLINE void addGroups(const Lane (*numbers)[N], const detail::RawRgb* colours, int lights, Lane* sums) {
   constexpr int kLeft = End - First, kGroups = (kLeft + kSumGroup - 1) / kSumGroup;
   constexpr int kCount = (kLeft + kGroups - 1) / kGroups;
   addGroup<N, First, kCount>(numbers, colours, lights, sums);

@@ -4,8 +4,6 @@
 
 #include <rigel/crowd.h>
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -26,44 +24,6 @@ struct Skin {
 /// `palettes`: kBlock of them, each with all of the kind's joints.
 void skinAnchors(const Skin& skin, std::span<const JointMatrix* const, kBlock> palettes, int characters,
                  float* positions) noexcept;
-
-/// Palettes of the block that comes next, fetched while the one at hand is computed: a thousand characters' are more
-/// than the second-level cache holds, and those that are asked for at once are waited for.
-class PaletteFetch {
- public:
-  /// `characters` of `palettes`, at most kBlock; `joints`: of each palette, those that are read.
-  void begin(const JointMatrix* const* palettes, int characters, std::span<const std::uint16_t> joints) noexcept {
-    for (int c = 0; c < characters; ++c) palettes_[c] = palettes[c];
-    joints_ = joints;
-    characters_ = joints.empty() ? 0 : characters;
-    character_ = 0;
-    joint_ = 0;
-  }
-
-  /// Asks for a few joints more, as many as arrive while a few hundred operations are done.
-  void step() noexcept {
-    if (character_ == characters_) return;
-    const std::size_t end = std::min(joint_ + kJoints, joints_.size());
-    for (; joint_ < end; ++joint_) {
-      const char* joint = reinterpret_cast<const char*>(palettes_[character_] + joints_[joint_]);
-      // It may lie in two lines of the cache.
-      __builtin_prefetch(joint, 0, kSecondLevel);
-      __builtin_prefetch(joint + sizeof(JointMatrix) - 1, 0, kSecondLevel);
-    }
-    if (joint_ < joints_.size()) return;
-    joint_ = 0;
-    ++character_;
-  }
-
- private:
-  static constexpr std::size_t kJoints = 4;
-  static constexpr int kSecondLevel = 2;
-
-  std::array<const JointMatrix*, kBlock> palettes_{};
-  std::span<const std::uint16_t> joints_;
-  int characters_ = 0, character_ = 0;
-  std::size_t joint_ = 0;
-};
 
 /// Rows of a block's places.
 struct Places {
@@ -92,7 +52,7 @@ std::size_t refreshScratch(int samples, int vectors) noexcept;
 
 /// The operator of least_squares.h, K x S rows.
 void refreshOperators(int characters, const Monomials& monomials, std::span<const float> shares, const float* positions,
-                      const Places& places, double* scratch, float* op, PaletteFetch& ahead) noexcept;
+                      const Places& places, double* scratch, float* op) noexcept;
 
 /// c = P F times `scale`: `sums` as projectBatch leaves them (`width` rows of S x characters numbers, and kBlock more
 /// that may be read); `op` one row an entry, or (`same`) one number for all. Row k * padded + i is coefficient i of
@@ -135,7 +95,7 @@ struct RankBlock {
 };
 
 /// Error [W/m2] of leaving each light in the rigs, as crowd.h defines it: a row a light.
-void rankLights(const RankRows& lights, const RankBlock& block, float* errors, PaletteFetch& ahead) noexcept;
+void rankLights(const RankRows& lights, const RankBlock& block, float* errors) noexcept;
 
 /// The n-th largest error of each character (n = 1: the largest), 0 where there are not as many; n to kMaxCrowdNear
 /// + 1.

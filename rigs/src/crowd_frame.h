@@ -33,7 +33,7 @@ struct Crowd<B>::State {
   void show(Task& task, const Block& block) noexcept;
 
   // Stages of `update`, for n characters.
-  void fetchAhead(Task& task, const Block* block) noexcept;
+  void fetchAhead(Task& task, const Block& block, const Block* after) noexcept;
   static const JointMatrix* paletteOf(const Population& population, const Character& character) noexcept;
   void pose(Task& task, const Block& block, Population& population) noexcept;
   void maskLights(Task& task, int n) noexcept;
@@ -105,7 +105,7 @@ void Crowd<B>::State::runBlocks(Task& task) noexcept {
   for (std::size_t i = next++; i < blocks.size();) {
     // One block is promised ahead, so that its palettes can be on their way.
     const std::size_t after = next++;
-    fetchAhead(task, after < blocks.size() ? &blocks[after] : nullptr);
+    fetchAhead(task, blocks[i], after < blocks.size() ? &blocks[after] : nullptr);
     blocks[i].update ? update(task, blocks[i]) : show(task, blocks[i]);
     i = after;
   }
@@ -123,7 +123,7 @@ void Crowd<B>::State::update(Task& task, const Block& block) noexcept {
   clock.done(CrowdStage::pose);
   if (kind.skinned()) {
     crowd::refreshOperators(n, kind.monomials(), kind.shares, task.positions.data(), task.places, task.normal.data(),
-                            task.op.data(), task.ahead);
+                            task.op.data());
     clock.done(CrowdStage::refresh);
   }
   weigh(task, block, population);
@@ -141,15 +141,36 @@ void Crowd<B>::State::update(Task& task, const Block& block) noexcept {
   clock.done(CrowdStage::pack);
 }
 
+/// Where this block's results go and what the next one, if there is one, begins with.
 template <int B>
-void Crowd<B>::State::fetchAhead(Task& task, const Block* block) noexcept {
-  task.ahead.begin(nullptr, 0, {});
-  if (block == nullptr || !block->update) return;
-  Population& population = populations[block->population];
-  const JointMatrix* palettes[kBlock];
-  for (int c = 0; c < static_cast<int>(block->count); ++c)
-    palettes[c] = paletteOf(population, at(population, *block, c));
-  task.ahead.begin(palettes, static_cast<int>(block->count), population.data().readJoints);
+void Crowd<B>::State::fetchAhead(Task& task, const Block& block, const Block* after) noexcept {
+  task.ahead.clear();
+  if (!block.update) return;
+  Population& population = populations[block.population];
+  for (int c = 0; c < static_cast<int>(block.count); ++c) {
+    const Character& character = at(population, block, c);
+    if (!output.coefficients.empty())
+      task.ahead.add(&output.coefficients[character.offset], population.floats() * sizeof(float));
+    task.ahead.add(&output.rigs[static_cast<std::size_t>(character.result.rig)], sizeof(GpuRig));
+    if (population.nearSlots() > 0)
+      task.ahead.add(&output.near[static_cast<std::size_t>(character.result.nearOffset)],
+                     population.nearSlots() * sizeof(GpuNearLight));
+  }
+  if (after == nullptr || !after->update) return;
+  Population& nextPopulation = populations[after->population];
+  const CrowdKind::Data& kind = nextPopulation.data();
+  for (int c = 0; c < static_cast<int>(after->count); ++c) {
+    const JointMatrix* palette = paletteOf(nextPopulation, at(nextPopulation, *after, c));
+    task.ahead.add(palette, kind.jointLines.of(palette));
+  }
+  // Those behind the next block, whose palettes will be asked for then.
+  const std::uint32_t begin = after->begin + after->count;
+  const std::uint32_t end = std::min(begin + static_cast<std::uint32_t>(kBlock), schedule.size());
+  for (std::uint32_t i = begin; i < end; ++i) {
+    const std::size_t index = schedule.character(i);
+    if (index < nextPopulation.characters.size())
+      task.ahead.add(&nextPopulation.characters[index], offsetof(Character, from));
+  }
 }
 
 /// The character's, or one at rest where it has not all joints.
@@ -209,7 +230,7 @@ void Crowd<B>::State::weighNear(Task& task, const Block& block, Population& popu
   const CrowdKindOptions& options = population.data().options;
   const int n = static_cast<int>(block.count);
   float* errors = task.errors.data();
-  crowd::rankLights(lights.ranks(), {&task.places, task.groups, n, population.data().degree}, errors, task.ahead);
+  crowd::rankLights(lights.ranks(), {&task.places, task.groups, n, population.data().degree}, errors);
   crowd::nthLargest(errors, lights.count(), n, options.nearSlots + 1, task.floors);
   for (int c = 0; c < n; ++c) task.floors[c] = std::max(task.floors[c], options.tolerance);
   crowd::findAbove(errors, lights.count(), n, task.floors, options.nearSlots, task.hits);
@@ -249,7 +270,7 @@ void Crowd<B>::State::project(Task& task, const Population& population, int n) n
     std::fill_n(task.footprints.data() + s * count, count, kind.footprints[s]);
   const Vec3Rows rows{{task.x.data(), points}, {task.y.data(), points}, {task.z.data(), points}};
   projectBatch<B>(lights.prepared(), lights.uses(), rows, {task.footprints.data(), points},
-                  {task.sums.data(), kWidth * points}, task.shares.view(lights.uses().size()));
+                  {task.sums.data(), kWidth * points}, task.shares.view(lights.uses().size()), task.ahead.view());
 }
 
 /// Where coefficients go: to the output at once, where that is all that becomes of them.

@@ -45,9 +45,9 @@ void CrowdKind::Data::addSkin(const CrowdShape& shape) {
     }
     first.push_back(static_cast<int>(joint.size()));
   }
-  readJoints = joint;
-  std::ranges::sort(readJoints);
-  readJoints.erase(std::ranges::unique(readJoints).begin(), readJoints.end());
+  std::vector<std::uint16_t> read = joint;
+  std::ranges::sort(read);
+  jointLines = crowd::JointLines(read, sizeof(JointMatrix));
   restPalette.resize(static_cast<std::size_t>(joints));
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "aligned_array.h"
+#include "crowd_ahead.h"
 #include "crowd_block.h"
 
 namespace rigel {
@@ -18,10 +19,10 @@ struct CrowdKind::Data {
   std::vector<int> first;                 // crowd::Skin; empty: rigid
   std::vector<std::uint16_t> joint;
   std::vector<float> point;
-  std::vector<std::uint16_t> readJoints;  // each once
-  std::vector<JointMatrix> restPalette;   // in place of one that is too short
-  AlignedArray<float> restPositions;      // of rigid kinds, as skinAnchors leaves them
-  std::vector<float> restOperator;        // of rigid kinds, K x S
+  crowd::JointLines jointLines;          // of joints that are read
+  std::vector<JointMatrix> restPalette;  // in place of one that is too short
+  AlignedArray<float> restPositions;     // of rigid kinds, as skinAnchors leaves them
+  std::vector<float> restOperator;       // of rigid kinds, K x S
 
   Data(Rig r, const CrowdShape& shape, const CrowdKindOptions& o);
 

@@ -130,7 +130,7 @@ HWY_INLINE Vec errorOf(const RankRows& lights, int i, const Seen& seen) {
 }
 
 template <int Degree, bool AnyDirected>
-void rank(const RankRows& lights, const RankBlock& block, float* errors, PaletteFetch& ahead) {
+void rank(const RankRows& lights, const RankBlock& block, float* errors) {
   const Tag tag;
   const hn::RebindToUnsigned<Tag> bits;
   for (int g = 0; g < block.characters; g += kLanes) {
@@ -142,16 +142,15 @@ void rank(const RankRows& lights, const RankBlock& block, float* errors, Palette
       const auto counts = hn::And(hn::RebindMask(tag, lit), hn::Eq(finite, set(0)));
       hn::Store(hn::IfThenElseZero(counts, errorOf<Degree, AnyDirected>(lights, i, seen)), tag,
                 errors + i * kBlock + g);
-      ahead.step();
     }
   }
 }
 
 template <bool AnyDirected>
-void rankBy(const RankRows& lights, const RankBlock& block, float* errors, PaletteFetch& ahead) {
-  if (block.degree == 1) return rank<1, AnyDirected>(lights, block, errors, ahead);
-  if (block.degree == 2) return rank<2, AnyDirected>(lights, block, errors, ahead);
-  rank<3, AnyDirected>(lights, block, errors, ahead);
+void rankBy(const RankRows& lights, const RankBlock& block, float* errors) {
+  if (block.degree == 1) return rank<1, AnyDirected>(lights, block, errors);
+  if (block.degree == 2) return rank<2, AnyDirected>(lights, block, errors);
+  rank<3, AnyDirected>(lights, block, errors);
 }
 
 /// Keeps the N largest of each lane, largest first.
@@ -183,8 +182,8 @@ void dispatchLargest(const float* errors, int lights, int characters, int n, flo
 
 }  // namespace
 
-void rankLights(const RankRows& lights, const RankBlock& block, float* errors, PaletteFetch& ahead) {
-  lights.directed ? rankBy<true>(lights, block, errors, ahead) : rankBy<false>(lights, block, errors, ahead);
+void rankLights(const RankRows& lights, const RankBlock& block, float* errors) {
+  lights.directed ? rankBy<true>(lights, block, errors) : rankBy<false>(lights, block, errors);
 }
 
 void nthLargest(const float* errors, int lights, int characters, int n, float* floors) {
@@ -222,8 +221,8 @@ HWY_EXPORT(rankLights);
 HWY_EXPORT(nthLargest);
 HWY_EXPORT(findAbove);
 
-void rankLights(const RankRows& lights, const RankBlock& block, float* errors, PaletteFetch& ahead) noexcept {
-  HWY_DYNAMIC_DISPATCH(rankLights)(lights, block, errors, ahead);
+void rankLights(const RankRows& lights, const RankBlock& block, float* errors) noexcept {
+  HWY_DYNAMIC_DISPATCH(rankLights)(lights, block, errors);
 }
 void nthLargest(const float* errors, int lights, int characters, int n, float* floors) noexcept {
   HWY_DYNAMIC_DISPATCH(nthLargest)(errors, lights, characters, n, floors);

@@ -59,7 +59,7 @@ constexpr int kTile = 4;
 /// Columns s to s + Tile of the operator: forward and back substitution.
 template <int Tile>
 HWY_INLINE void solve(const Matrix& factor, const Matrix& scale, const Matrix& right, int functions, int points,
-                      const float* shares, int s, float* op, PaletteFetch& ahead) {
+                      const float* shares, int s, float* op) {
   const Tag tag;
   for (int k = 0; k < functions; ++k) {
     Vec v[Tile];
@@ -69,10 +69,8 @@ HWY_INLINE void solve(const Matrix& factor, const Matrix& scale, const Matrix& r
       for (int t = 0; t < Tile; ++t) v[t] = hn::NegMulAdd(l, right(j, s + t), v[t]);
     }
     for (int t = 0; t < Tile; ++t) right.set(k, s + t, hn::Mul(v[t], factor(k, k)));
-    ahead.step();
   }
   for (int k = functions - 1; k >= 0; --k) {
-    ahead.step();
     Vec v[Tile];
     for (int t = 0; t < Tile; ++t) v[t] = right(k, s + t);
     for (int j = k + 1; j < functions; ++j) {
@@ -91,7 +89,7 @@ HWY_INLINE void solve(const Matrix& factor, const Matrix& scale, const Matrix& r
 }
 
 void refreshLanes(const Monomials& monomials, std::span<const float> shares, const float* positions,
-                  const Places& places, int g, double* scratch, float* op, PaletteFetch& ahead) {
+                  const Places& places, int g, double* scratch, float* op) {
   const Tag tag;
   const int points = static_cast<int>(shares.size());
   const int functions = static_cast<int>(monomials.from.size());
@@ -125,7 +123,6 @@ void refreshLanes(const Monomials& monomials, std::span<const float> shares, con
       }
       if (s < points) even = hn::MulAdd(a(k, s), right(j, s), even);
       normal.set(k, j, hn::Add(even, odd));
-      ahead.step();
     }
     const Vec square = normal(k, k);
     const Vec one = hn::Set(tag, 1.0);
@@ -156,17 +153,16 @@ void refreshLanes(const Monomials& monomials, std::span<const float> shares, con
   }
 
   int s = 0;
-  for (; s + kTile <= points; s += kTile)
-    solve<kTile>(normal, scale, right, functions, points, shares.data(), s, op, ahead);
-  for (; s < points; ++s) solve<1>(normal, scale, right, functions, points, shares.data(), s, op, ahead);
+  for (; s + kTile <= points; s += kTile) solve<kTile>(normal, scale, right, functions, points, shares.data(), s, op);
+  for (; s < points; ++s) solve<1>(normal, scale, right, functions, points, shares.data(), s, op);
 }
 
 }  // namespace
 
 void refreshOperators(int characters, const Monomials& monomials, const float* shares, int samples,
-                      const float* positions, const Places& places, double* scratch, float* op, PaletteFetch& ahead) {
+                      const float* positions, const Places& places, double* scratch, float* op) {
   for (int g = 0; g < characters; g += kLanes)
-    refreshLanes(monomials, {shares, static_cast<std::size_t>(samples)}, positions, places, g, scratch, op + g, ahead);
+    refreshLanes(monomials, {shares, static_cast<std::size_t>(samples)}, positions, places, g, scratch, op + g);
 }
 
 }  // namespace rigel::crowd::HWY_NAMESPACE
@@ -184,9 +180,9 @@ std::size_t refreshScratch(int samples, int vectors) noexcept {
 }
 
 void refreshOperators(int characters, const Monomials& monomials, std::span<const float> shares, const float* positions,
-                      const Places& places, double* scratch, float* op, PaletteFetch& ahead) noexcept {
+                      const Places& places, double* scratch, float* op) noexcept {
   HWY_DYNAMIC_DISPATCH(refreshOperators)
-  (characters, monomials, shares.data(), static_cast<int>(shares.size()), positions, places, scratch, op, ahead);
+  (characters, monomials, shares.data(), static_cast<int>(shares.size()), positions, places, scratch, op);
 }
 
 }  // namespace rigel::crowd

@@ -6,6 +6,7 @@ namespace rigel::crowd {
 namespace {
 
 constexpr std::uint32_t kShownBlock = 64;  // characters that are packed only
+constexpr std::size_t kPlanAhead = 16;     // characters on their way from memory
 
 /// The interval of a character from now on: it rises at once and falls by halves, so that what lags catches up at twice
 /// its speed and not in one frame.
@@ -16,6 +17,7 @@ int nextInterval(const Character& c) noexcept {
 
 /// Frames to the next update: those of one interval are spread over its frames.
 int framesToUpdate(std::uint64_t frame, std::size_t index, int interval) noexcept {
+  if (interval == 1) return 1;  // and nothing is divided
   const auto n = static_cast<std::uint64_t>(interval);
   return static_cast<int>(n - (frame + index) % n);
 }
@@ -85,6 +87,7 @@ CrowdStats Schedule::plan(std::span<Population> populations, std::uint64_t frame
     shown_.clear();
     for (std::size_t i = 0; i < population.characters.size(); ++i) {
       Character& c = population.characters[i];
+      __builtin_prefetch(&(&c)[std::min(kPlanAhead, population.characters.size() - 1 - i)].input.groups, 1);
       if (!c.alive) continue;
       if (!c.input.visible) {
         c.lit = false;

@@ -8,11 +8,10 @@
 
 namespace rigel::crowd {
 
-/// From one frame to the next.
-struct Character {
+/// From one frame to the next. A line of the cache is what moves it, the next all that planning a frame looks at.
+struct alignas(kCacheLine) Character {
   CrowdInput input;
   CrowdResult result;
-  RigBox from, to;               // of the results between which it is shown
   std::size_t offset = 0;        // vec4 in the output's coefficients
   std::uint32_t generation = 1;  // CrowdId{} is nobody's
   int interval = 1;              // that was asked for when it was last updated, or what it has come down to
@@ -22,10 +21,13 @@ struct Character {
   bool lit = false;     // has results to go on from
   bool kept = false;    // they are in Population::results
   bool usable = false;  // they are finite
+  RigBox from, to;      // of the results between which it is shown; last, for most frames do without
 
   /// How far between its results it is shown.
   float shown() const noexcept { return static_cast<float>(step + 1) / static_cast<float>(span); }
 };
+
+static_assert(offsetof(CrowdInput, groups) == kCacheLine && offsetof(Character, from) <= kCharacterLines * kCacheLine);
 
 /// All characters of a kind. Results are pairs of `vectors` packed SH vectors, from and to.
 struct Population {
@@ -68,6 +70,7 @@ class Schedule {
 
   std::span<const Block> blocks() const noexcept { return blocks_; }
   std::uint32_t character(std::uint32_t place) const noexcept { return order_[place]; }
+  std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(order_.size()); }
   std::size_t bytes() const noexcept {
     return blocks_.capacity() * sizeof(Block) + (order_.capacity() + shown_.capacity()) * sizeof(std::uint32_t);
   }

@@ -37,6 +37,9 @@ class BlockShares {
   std::size_t used_ = 0, period_ = 1;
 };
 
+/// What a frame reads of a Character lies in so many lines.
+inline constexpr std::size_t kCharacterLines = 2;
+
 struct Task {
   alignas(64) Places places;
   alignas(64) float floors[kBlock];
@@ -44,7 +47,7 @@ struct Task {
   alignas(64) float placeRows[kPlaceRows * kBlock];
   alignas(64) float rigPlaces[kBlock][kPlaceRows];
   NearHits hits;
-  PaletteFetch ahead;
+  FetchList ahead;
   float* coefficientsOf[kBlock];            // where each character's go
   AlignedArray<float> positions;            // as skinAnchors writes them
   AlignedArray<float> x, y, z, footprints;  // dense
@@ -68,10 +71,18 @@ struct Task {
     rows.reserve(k * v * kBlock);
     coefficients.reserve(k * v * kBlock);
     shown.reserve(k * v);
+    ahead.reserve(kBlock * linesAhead(kind, k * v * sizeof(float)));
+  }
+
+  /// Of a character: itself, its palette, its results.
+  static std::size_t linesAhead(const CrowdKind::Data& kind, std::size_t resultBytes) noexcept {
+    const std::size_t near = static_cast<std::size_t>(kind.options.nearSlots) * sizeof(GpuNearLight);
+    return kCharacterLines + kind.jointLines.most() + mostLines(resultBytes) + mostLines(sizeof(GpuRig)) +
+           mostLines(near);
   }
 
   std::size_t bytes() const noexcept {
-    std::size_t sum = sizeof(*this) + normal.bytes() + shares.bytes();
+    std::size_t sum = sizeof(*this) + normal.bytes() + shares.bytes() + ahead.bytes();
     for (const AlignedArray<float>* a :
          {&positions, &x, &y, &z, &footprints, &op, &errors, &sums, &rows, &coefficients, &shown})
       sum += a->bytes();

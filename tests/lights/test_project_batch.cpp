@@ -271,6 +271,29 @@ TEST(ProjectBatch, AnyCountAndAlignmentGivesTheSame) {
   });
 }
 
+// Any number of lines to fetch beside any number of lights, at addresses that need not exist.
+TEST(ProjectBatch, LinesAheadChangeNothing) {
+  onEveryTarget([] {
+    Random random(40);
+    const LightSet lights = someOfEveryKind(random, 3);
+    PreparedLights prepared;
+    prepared.set(lights);
+    BatchPoints points;
+    for (int k = 0; k < 40; ++k) points.add(random.pointInCube(1));
+    std::vector<const void*> lines(2000);
+    for (std::size_t i = 0; i < lines.size(); ++i) lines[i] = i % 2 == 0 ? &lines[i] : nullptr;
+    std::vector<float> plain(27 * points.size()), sums(plain.size());
+    for (const std::size_t count : {std::size_t{0}, std::size_t{1}, prepared.all().size()}) {
+      const auto uses = prepared.all().first(count);
+      projectBatch<3>(prepared, uses, points.rows(), {}, plain);
+      for (const std::size_t n : {0, 1, 7, 300, 2000}) {
+        projectBatch<3>(prepared, uses, points.rows(), {}, sums, {}, std::span(lines).first(n));
+        EXPECT_EQ(sums, plain) << count << " lights, " << n << " lines";
+      }
+    }
+  });
+}
+
 TEST(ProjectBatch, LightsBeyondTheSetAndNoLights) {
   PreparedLights prepared;
   LightSet set;

@@ -32,14 +32,13 @@ class Ranked {
       places_.finite[c] = 0;
       groups_[c] = kAllLightGroups;
     }
-    crowd::rankLights(frame_.ranks(), {&places_, groups_, kBlock, degree}, errors_.data(), ahead_);
+    crowd::rankLights(frame_.ranks(), {&places_, groups_, kBlock, degree}, errors_.data());
   }
   float operator[](int light) const { return errors_.data()[light * kBlock]; }
   const float* data() const { return errors_.data(); }
 
  private:
   PreparedLights prepared_;
-  crowd::PaletteFetch ahead_;
   crowd::FrameLights frame_;
   AlignedArray<float> errors_;
   alignas(64) crowd::Places places_;

@@ -24,6 +24,11 @@ struct PointShares {
   std::size_t period = 1;
 };
 
+/// Addresses of what the caller uses next, one for each line of the cache: they are fetched while lights are projected,
+/// which computes much and reads little, one after another over the whole time. Fetched at once they would be waited
+/// for.
+using LinesAhead = std::span<const void* const>;
+
 /// Sum over `uses` of share times the light's SH at each point. Row 3 i + colour of `sums`, points.size() floats,
 /// receives coefficient i (no pi, no f_l); what was there is overwritten. `footprints` [m]: of each point, as in
 /// project.h, or empty for none. B in 2..5. Any count of points and lights, none included; the rows of points may have
@@ -37,7 +42,8 @@ struct PointShares {
 /// threads. A light within sqrt(2) radii (footprints) of a point takes the scalar functions' time there.
 template <int B>
 void projectBatch(const PreparedLights& lights, std::span<const LightUse> uses, const Vec3Rows& points,
-                  std::span<const float> footprints, std::span<float> sums, const PointShares& shares = {}) noexcept;
+                  std::span<const float> footprints, std::span<float> sums, const PointShares& shares = {},
+                  LinesAhead ahead = {}) noexcept;
 
 /// The same and its derivative by x, y and z of the point: 4 x 3 B^2 rows, value first. As projectWithGradient (no
 /// footprints), within 3e-6 of the largest component of a light without window and cone; a cone's slope adds 1e-6 /

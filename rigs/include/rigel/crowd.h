@@ -196,7 +196,7 @@ class Crowd {
   CrowdStats frame(const CrowdLights& lights, float seconds, const CrowdOutput& output, ParallelFor parallel = {},
                    CrowdProbe probe = {});
 
-  /// Of a character of that kind, kinds and scratch aside, the caller's output not included: 1564 for `poly:6`, 3 bands
+  /// Of a character of that kind, kinds and scratch aside, the caller's output not included: 1580 for `poly:6`, 3 bands
   /// and two near slots, most of it two sets of coefficients for those that are not updated in every frame.
   std::size_t bytesPerCharacter(int kind) const noexcept;
   /// All that is held.

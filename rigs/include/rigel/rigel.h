@@ -294,7 +294,7 @@ typedef struct rigel_crowd_info {
 
 rigel_result rigel_get_crowd_info(const rigel_crowd* crowd, rigel_crowd_info* info);
 
-/// Of a character of a kind that is in the crowd, the caller's buffers not included: 1564 for poly:6, 3 bands and two
+/// Of a character of a kind that is in the crowd, the caller's buffers not included: 1580 for poly:6, 3 bands and two
 /// near slots.
 rigel_result rigel_get_character_bytes(const rigel_crowd* crowd, const rigel_kind* kind, size_t* bytes);
 
