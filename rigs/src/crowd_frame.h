@@ -6,7 +6,6 @@
 #include "half_scale.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cassert>
 #include <cmath>
 
@@ -28,7 +27,7 @@ struct Crowd<B>::State {
 
   CrowdStats frame(const CrowdLights& frameLights, float seconds, const CrowdOutput& to, ParallelFor parallel,
                    CrowdProbe clock);
-  void runBlocks(Task& task) noexcept;
+  void runBlocks(int first) noexcept;
   void update(Task& task, const Block& block) noexcept;
   void show(Task& task, const Block& block) noexcept;
 
@@ -61,7 +60,7 @@ struct Crowd<B>::State {
   // Of the frame.
   CrowdOutput output;
   CrowdProbe probe;
-  alignas(64) std::atomic<std::size_t> next{0};  // what all threads write shares no line with what they read
+  int parts = 0;  // tasks that have blocks
 };
 
 // Blocks of a frame.
@@ -78,17 +77,15 @@ CrowdStats Crowd<B>::State::frame(const CrowdLights& frameLights, float seconds,
   assert(to.rigs.size() >= static_cast<std::size_t>(stats.visible));
   output = to;
   probe = clock;
-  next.store(0, std::memory_order_relaxed);
-
   for (Task& task : tasks) task.stats = {};
-  const ParallelFor::Task run = [](void* work, int i) {
-    auto& state = *static_cast<State*>(work);
-    state.runBlocks(state.tasks[static_cast<std::size_t>(i)]);
-  };
-  const int count = static_cast<int>(std::min(tasks.size(), schedule.blocks().size()));
-  if (parallel.run != nullptr && count > 1) {
-    parallel.run(parallel.context, count, run, this);
-  } else if (count > 0) {
+  const ParallelFor::Task run = [](void* work, int i) { static_cast<State*>(work)->runBlocks(i); };
+  const std::size_t blocks = schedule.blocks().size();
+  parts = parallel.run != nullptr ? static_cast<int>(std::min(tasks.size(), blocks)) : 1;
+  for (std::size_t i = 0, n = static_cast<std::size_t>(parts); i < n; ++i)
+    tasks[i].blocks.set(i * blocks / n, (i + 1) * blocks / n);
+  if (parts > 1) {
+    parallel.run(parallel.context, parts, run, this);
+  } else if (parts > 0) {
     run(this, 0);
   }
   for (const Task& task : tasks) {
@@ -98,16 +95,18 @@ CrowdStats Crowd<B>::State::frame(const CrowdLights& frameLights, float seconds,
   return stats;
 }
 
-/// Takes blocks until there are none left: any thread may do any of them.
+/// A task's own part, which it had in the last frame too and has in its caches, then what is left of the others'.
 template <int B>
-void Crowd<B>::State::runBlocks(Task& task) noexcept {
+void Crowd<B>::State::runBlocks(int first) noexcept {
+  Task& task = tasks[static_cast<std::size_t>(first)];
   const std::span<const Block> blocks = schedule.blocks();
-  for (std::size_t i = next++; i < blocks.size();) {
-    // One block is promised ahead, so that its palettes can be on their way.
-    const std::size_t after = next++;
-    fetchAhead(task, blocks[i], after < blocks.size() ? &blocks[after] : nullptr);
-    blocks[i].update ? update(task, blocks[i]) : show(task, blocks[i]);
-    i = after;
+  for (int k = 0; k < parts; ++k) {
+    crowd::BlockQueue& queue = tasks[static_cast<std::size_t>((first + k) % parts)].blocks;
+    for (std::size_t i; (i = queue.take()) != queue.kNone;) {
+      const std::size_t after = queue.following();
+      fetchAhead(task, blocks[i], after != queue.kNone ? &blocks[after] : nullptr);
+      blocks[i].update ? update(task, blocks[i]) : show(task, blocks[i]);
+    }
   }
 }
 

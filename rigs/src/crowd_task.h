@@ -4,6 +4,7 @@
 #include "crowd_kind.h"
 
 #include <algorithm>
+#include <atomic>
 
 namespace rigel::crowd {
 
@@ -37,10 +38,30 @@ class BlockShares {
   std::size_t used_ = 0, period_ = 1;
 };
 
+/// A part of a frame's blocks: whoever takes one from it has it alone.
+class BlockQueue {
+ public:
+  static constexpr std::size_t kNone = ~std::size_t{0};
+
+  void set(std::size_t begin, std::size_t end) noexcept {
+    next_.store(begin, std::memory_order_relaxed);
+    end_ = end;
+  }
+  std::size_t take() noexcept { return held(next_.fetch_add(1, std::memory_order_relaxed)); }
+  /// What will be taken next, if others leave it.
+  std::size_t following() const noexcept { return held(next_.load(std::memory_order_relaxed)); }
+
+ private:
+  std::size_t held(std::size_t i) const noexcept { return i < end_ ? i : kNone; }
+  std::atomic<std::size_t> next_{0};
+  std::size_t end_ = 0;
+};
+
 /// What a frame reads of a Character lies in so many lines.
 inline constexpr std::size_t kCharacterLines = 2;
 
 struct Task {
+  alignas(64) BlockQueue blocks;  // others write it too, where they have done theirs
   alignas(64) Places places;
   alignas(64) float floors[kBlock];
   alignas(64) std::uint32_t groups[kBlock];
