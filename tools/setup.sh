@@ -62,7 +62,7 @@ configure() {
     launcher=(-DCMAKE_C_COMPILER_LAUNCHER=ccache -DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
   fi
   say "Configuring preset $preset"
-  (cd "$repo" && cmake --preset "$preset" --log-level=WARNING "${launcher[@]}" "$@")
+  (cd "$repo" && cmake --preset "$preset" --log-level=WARNING -DRIGEL_UNITY=ON "${launcher[@]}" "$@")
 }
 
 # build PRESET [TARGET...]

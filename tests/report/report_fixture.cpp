@@ -237,7 +237,7 @@ ObjectReport object(const std::string& name, int frames, double scale, const std
     rig.stages = {{"project", 0.8 * made.fit}, {"fit", 0.2 * made.fit}};
     for (int i = 0; i < frames; ++i) {
       const double swing = 0.35 + 1.3 * wave(i / 30.0, made.shVectors * 0.1);
-      tools::RigFrame& frame = rig.frames.emplace_back();
+      tools::FrameReport& frame = rig.frames.emplace_back();
       frame.time = i / 30.0;
       frame.spatialRms = rig.spatial.rms * swing;
       frame.totalRms = rig.total.rms * swing;
@@ -385,7 +385,7 @@ Report hostileReport() {
   RigReport& first = scene.objects.front().rigs.front();
   first.estimate.reset();
   first.totalEstimate.reset();
-  for (tools::RigFrame& frame : first.frames) {
+  for (tools::FrameReport& frame : first.frames) {
     frame.estimate.reset();
     frame.totalEstimate.reset();
   }

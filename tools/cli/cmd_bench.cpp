@@ -13,7 +13,7 @@
 namespace rigel::tools {
 namespace {
 
-struct Arguments {
+struct BenchArguments {
   std::string filter = ".*";
   int repetitions = 5;
   bool json = false;
@@ -21,7 +21,7 @@ struct Arguments {
 
 /// CPU figures, then those of the GPU, whose names match; what is wrong with the filter, or a device that is asked for
 /// by name and not there.
-Result<std::vector<Figure>> measure(const Arguments& arguments) {
+Result<std::vector<Figure>> measure(const BenchArguments& arguments) {
   std::vector<std::string> gpu;
   try {
     const std::regex wanted(arguments.filter);
@@ -55,7 +55,7 @@ nlohmann::ordered_json json(const Figure& f) {
   return row;
 }
 
-int runBench(const Arguments& arguments) {
+int runBench(const BenchArguments& arguments) {
   const auto figures = measure(arguments);
   if (!figures) return fail(kExitBadUse, figures.error().line());
   if (arguments.json) {
@@ -85,7 +85,7 @@ int runBench(const Arguments& arguments) {
 }  // namespace
 
 Command addBench(CLI::App& root) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<BenchArguments>();
   CLI::App* app = root.add_subcommand("bench", "Time projection, fitting and shading, each against its baseline");
   app->add_option("--filter", arguments->filter, "Regular expression on figure names")->capture_default_str();
   app->add_option("--repetitions", arguments->repetitions, "Repetitions, of which the least time counts")

@@ -19,7 +19,7 @@ namespace {
 
 const std::vector<int> kAllBands{2, 3, 4, 5};
 
-struct Arguments {
+struct ParetoArguments {
   std::string scene;
   RunArguments run;
   std::string rigs;
@@ -30,7 +30,7 @@ struct Arguments {
   std::string out;
 };
 
-std::string commandLine(const Arguments& a) {
+std::string commandLine(const ParetoArguments& a) {
   std::string line = "rigel pareto " + a.scene;
   if (!a.rigs.empty()) line += " --rig \"" + a.rigs + "\"";
   line += a.run.text();
@@ -39,7 +39,7 @@ std::string commandLine(const Arguments& a) {
   return line + " --out " + a.out;
 }
 
-Result<ParetoOptions> parse(const Arguments& arguments) {
+Result<ParetoOptions> parse(const ParetoArguments& arguments) {
   if (arguments.out.empty()) return Error{"the name of a directory is missing", "--out"};
   auto run = arguments.run.options();
   if (!run) return run.error();
@@ -60,7 +60,7 @@ Result<ParetoOptions> parse(const Arguments& arguments) {
   return options;
 }
 
-int runParetoCommand(const Arguments& arguments) {
+int runParetoCommand(const ParetoArguments& arguments) {
   auto options = parse(arguments);
   if (!options) return fail(kExitBadUse, options.error().line());
   std::optional<GpuContext> device;
@@ -105,7 +105,7 @@ int runParetoCommand(const Arguments& arguments) {
 }  // namespace
 
 Command addPareto(CLI::App& root) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ParetoArguments>();
   CLI::App* app = root.add_subcommand("pareto", "Chart what accuracy costs in time, for every rig and near light");
   app->add_option("SCENE", arguments->scene, "A glTF file (.gltf, .glb) or sample:NAME (see: rigel sample --list)")
       ->required();

@@ -23,7 +23,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Arguments {
+struct RenderArguments {
   std::string scene;
   std::string rig = "auto";
   RunArguments run{"0"};
@@ -50,7 +50,7 @@ const std::map<std::string, Effect> kDiskBands{{"quadrature", Effect::light_near
 const std::map<std::string, RenderReference> kReferences{
     {"", RenderReference::none}, {"cpu", RenderReference::cpu}, {"truth", RenderReference::truth}};
 
-Result<RenderOptions> parse(const Arguments& a) {
+Result<RenderOptions> parse(const RenderArguments& a) {
   RenderOptions options;
   auto run = a.run.options();
   if (!run) return run.error();
@@ -90,7 +90,7 @@ std::optional<Error> write(const RenderResult& result, const std::filesystem::pa
 /// What is said of all frames together.
 class Summary {
  public:
-  Summary(const Arguments& arguments, const GpuContext& context)
+  Summary(const RenderArguments& arguments, const GpuContext& context)
       : json_{{"scene", arguments.scene},
               {"rig", arguments.rig},
               {"storage", arguments.storage},
@@ -189,7 +189,7 @@ void print(const Json& summary) {
   for (const Json& note : summary["notes"]) fmt::print("note: {}\n", note.get<std::string>());
 }
 
-int runRender(const Arguments& arguments) {
+int runRender(const RenderArguments& arguments) {
   const auto options = parse(arguments);
   if (!options) return fail(kExitBadUse, options.error().line());
   rememberInterrupts();
@@ -242,7 +242,7 @@ std::vector<std::string> namesOf(const auto& map) {
 }  // namespace
 
 Command addRender(CLI::App& root) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<RenderArguments>();
   CLI::App* app = root.add_subcommand("render", "Draw a scene on the GPU (Vulkan), lit by its rigs and near lights");
   app->add_option("SCENE", arguments->scene, "A glTF file (.gltf, .glb) or sample:NAME (see: rigel sample --list)")
       ->required();

@@ -26,7 +26,7 @@
 namespace rigel::tools {
 namespace {
 
-struct Arguments {
+struct ReportArguments {
   std::vector<std::string> scenes;
   CompareArguments compare;
   std::string rigs = kDefaultRigs;
@@ -43,7 +43,7 @@ struct Arguments {
 
 /// Takes from a captured file's settings what the command line leaves open, and says so. Built-in scenes have none;
 /// several scenes cannot each have their own.
-std::optional<Error> adoptSettings(Arguments& arguments) {
+std::optional<Error> adoptSettings(ReportArguments& arguments) {
   if (arguments.scenes.size() != 1 || arguments.scenes.front().starts_with("sample:")) return std::nullopt;
   const std::string& file = arguments.scenes.front();
   const auto scene = loadScene(file);
@@ -64,7 +64,7 @@ std::optional<Error> adoptSettings(Arguments& arguments) {
   return std::nullopt;
 }
 
-Result<RunOptions> parse(const Arguments& arguments) {
+Result<RunOptions> parse(const ReportArguments& arguments) {
   if (arguments.scenes.empty()) return Error{"name a scene, or --compare reports", "SCENE"};
   if (arguments.out.empty()) return Error{"the name of a directory is missing", "--out"};
   if (arguments.compare.maxError || arguments.compare.maxTime)
@@ -86,7 +86,7 @@ Result<RunOptions> parse(const Arguments& arguments) {
 }
 
 /// The command as typed, for the report's foot; the program by its name alone.
-std::string commandLine(const Arguments& a) {
+std::string commandLine(const ReportArguments& a) {
   std::string line = "rigel report";
   for (const std::string& scene : a.scenes) line += " " + scene;
   line += " --rig \"" + a.rigs + "\"";
@@ -96,7 +96,7 @@ std::string commandLine(const Arguments& a) {
   return line + " --out " + a.out;
 }
 
-int runReportCommand(Arguments arguments) {
+int runReportCommand(ReportArguments arguments) {
   if (const auto error = adoptSettings(arguments)) return fail(kExitBadInput, error->line());
   auto options = parse(arguments);
   if (!options) return fail(kExitBadUse, options.error().line());
@@ -145,7 +145,7 @@ int runReportCommand(Arguments arguments) {
   return kExitOk;
 }
 
-int compare(Arguments& arguments) {
+int compare(ReportArguments& arguments) {
   if (!arguments.scenes.empty())
     return fail(kExitBadUse, arguments.scenes.front() + ": --compare takes reports, and no scene beside them");
   arguments.compare.out = arguments.out;
@@ -156,7 +156,7 @@ int compare(Arguments& arguments) {
 }  // namespace
 
 Command addReport(CLI::App& root) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ReportArguments>();
   CLI::App* app =
       root.add_subcommand("report", "Fit rigs to an animated scene, compare them with the truth, write a report");
   app->add_option("SCENE", arguments->scenes, "glTF files (.gltf, .glb) or sample:NAME (see: rigel sample --list)");

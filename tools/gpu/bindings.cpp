@@ -23,9 +23,6 @@ VkDescriptorType typeOf(BindingSlot::Kind kind) {
   return VK_DESCRIPTOR_TYPE_MAX_ENUM;
 }
 
-constexpr VkShaderStageFlags kStages =
-    VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT | VK_SHADER_STAGE_COMPUTE_BIT;
-
 }  // namespace
 
 GpuLayout::State::~State() {
@@ -50,7 +47,7 @@ Result<GpuLayout> GpuLayout::create(const GpuContext& context, std::span<const B
 
   std::vector<VkDescriptorSetLayoutBinding> bindings;
   for (const BindingSlot& slot : slots) {
-    bindings.push_back({slot.binding, typeOf(slot.kind), slot.count, kStages, nullptr});
+    bindings.push_back({slot.binding, typeOf(slot.kind), slot.count, kShaderStages, nullptr});
   }
   auto setInfo = vulkanStruct<VkDescriptorSetLayoutCreateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO);
   setInfo.bindingCount = static_cast<std::uint32_t>(bindings.size());
@@ -58,7 +55,7 @@ Result<GpuLayout> GpuLayout::create(const GpuContext& context, std::span<const B
   VkResult result = vkCreateDescriptorSetLayout(state.device->device, &setInfo, nullptr, &state.setLayout);
   if (result != VK_SUCCESS) return vulkanError(result, "a layout of bindings");
 
-  const VkPushConstantRange range{kStages, 0, pushBytes};
+  const VkPushConstantRange range{kShaderStages, 0, pushBytes};
   auto info = vulkanStruct<VkPipelineLayoutCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO);
   info.setLayoutCount = 1;
   info.pSetLayouts = &state.setLayout;

@@ -23,6 +23,10 @@ struct BindingSlot {
   std::uint32_t count = 1;
 };
 
+/// Stages that see slots and push constants.
+inline constexpr VkShaderStageFlags kShaderStages =
+    VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT | VK_SHADER_STAGE_COMPUTE_BIT;
+
 /// The slots of set 0 and the bytes of push constants, for vertex, fragment and compute shaders alike. Cheap to copy.
 class GpuLayout {
  public:

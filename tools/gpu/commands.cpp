@@ -9,8 +9,6 @@
 namespace rigel::tools {
 namespace {
 
-constexpr VkShaderStageFlags kStages =
-    VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT | VK_SHADER_STAGE_COMPUTE_BIT;
 constexpr VkPipelineStageFlags kAllCommands = VK_PIPELINE_STAGE_ALL_COMMANDS_BIT;
 
 void imageBarrier(VkCommandBuffer buffer, const GpuImage& image, VkAccessFlags before, VkAccessFlags after,
@@ -84,7 +82,8 @@ void GpuCommands::bind(const GpuPipeline& pipeline, const GpuBindings& bindings,
 }
 
 void GpuCommands::push(std::span<const std::byte> constants) {
-  vkCmdPushConstants(buffer_, layout_, kStages, 0, static_cast<std::uint32_t>(constants.size()), constants.data());
+  vkCmdPushConstants(buffer_, layout_, kShaderStages, 0, static_cast<std::uint32_t>(constants.size()),
+                     constants.data());
 }
 
 void GpuCommands::dispatch(std::uint32_t x, std::uint32_t y, std::uint32_t z) { vkCmdDispatch(buffer_, x, y, z); }

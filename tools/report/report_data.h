@@ -22,7 +22,7 @@ struct ErrorFigures {
   double max = 0;
 };
 
-struct RigFrame {
+struct FrameReport {
   double time = 0;  // s
   double spatialRms = 0;
   double totalRms = 0;
@@ -90,7 +90,7 @@ struct RigReport {
   std::optional<double> maxJump;
   double condition = 1;           // worst condition number of the fit over the frames; 1 where nothing is solved
   std::vector<StageTime> stages;  // those that ran, in their order
-  std::vector<RigFrame> frames;
+  std::vector<FrameReport> frames;
   std::vector<LightReport> lights;  // in the order of the scene's
   std::optional<BudgetUse> budget;  // of a rig that shares the frame's time
 

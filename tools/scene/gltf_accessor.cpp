@@ -1,6 +1,7 @@
 #include "scene/gltf_accessor.h"
 
 #include <tiny_gltf.h>
+#include "scene/accessor_type.h"
 
 #include <algorithm>
 #include <cassert>
@@ -16,19 +17,6 @@ namespace {
 constexpr std::size_t kFreeComponents = std::size_t{1} << 24;
 constexpr std::size_t kComponentsPerByte = 64;
 constexpr std::size_t kMaxUnbacked = std::size_t{1} << 26;  // 256 MiB of floats, twice that while they are read
-
-const char* typeName(int width) {
-  switch (width) {
-    case 1:
-      return "SCALAR";
-    case 3:
-      return "VEC3";
-    case 4:
-      return "VEC4";
-    default:
-      return "MAT4";
-  }
-}
 
 int gltfType(int width) {
   switch (width) {
@@ -173,7 +161,7 @@ AccessorReader::Layout AccessorReader::layout(const JsonPlace& user, int accesso
   const tinygltf::Accessor& a = document_.binary->accessors[accessor];
   const JsonPlace& place = places_[accessor];
   if (a.type != gltfType(width)) {
-    user.fail("accessor {} must be {}, is {}", accessor, typeName(width), place.text("type"));
+    user.fail("accessor {} must be {}, is {}", accessor, accessorType(width), place.text("type"));
   }
   if ((formatBits(a.componentType, a.normalized) & allowed) == 0) {
     user.fail("accessor {} has component type {}, which is not allowed here", accessor,

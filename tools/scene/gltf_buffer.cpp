@@ -1,5 +1,7 @@
 #include "scene/gltf_buffer.h"
 
+#include "scene/accessor_type.h"
+
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
@@ -10,8 +12,6 @@ namespace {
 constexpr int kUnsignedShort = 5123, kUnsignedInt = 5125, kFloat32 = 5126;
 
 static_assert(sizeof(glm::vec3) == 12 && sizeof(glm::uvec3) == 12 && sizeof(glm::mat4) == 64);
-
-const char* typeName(int width) { return width == 1 ? "SCALAR" : width == 3 ? "VEC3" : "VEC4"; }
 
 }  // namespace
 
@@ -81,7 +81,7 @@ int GltfBuffer::addTimes(const std::vector<float>& times) {
 
 int GltfBuffer::addFloats(const std::vector<float>& values, int width) {
   return add(values.data(), values.size() * sizeof(float), values.size() / static_cast<std::size_t>(width), kFloat32,
-             typeName(width));
+             accessorType(width));
 }
 
 void GltfBuffer::describe(nlohmann::json& document) const {

@@ -189,7 +189,7 @@ class Writer {
     for (const StageTime& stage : report.stages) stages[stage.name] = number(stage.microseconds, stage.name);
     result["stages"] = std::move(stages);
     Json frames = Json::array();
-    for (const RigFrame& rigFrame : report.frames) frames.push_back(frame(rigFrame, report.lights));
+    for (const FrameReport& rigFrame : report.frames) frames.push_back(frame(rigFrame, report.lights));
     result["frames"] = std::move(frames);
     Json lights = Json::array();
     for (const LightReport& use : report.lights) lights.push_back(light(use));
@@ -197,7 +197,7 @@ class Writer {
     return result;
   }
 
-  Json frame(const RigFrame& report, const std::vector<LightReport>& lights) {
+  Json frame(const FrameReport& report, const std::vector<LightReport>& lights) {
     Json near = Json::array();
     for (const int i : report.near) near.push_back(lights.at(static_cast<std::size_t>(i)).name);
     Json result = {{"time", number(report.time, "time")},

@@ -21,9 +21,9 @@ std::optional<double> asDouble(std::optional<float> value) {
 
 /// RMS over the frames of what each frame may have.
 template <class Of>
-std::optional<double> pooled(const std::vector<RigFrame>& frames, Of of) {
+std::optional<double> pooled(const std::vector<FrameReport>& frames, Of of) {
   double squares = 0;
-  for (const RigFrame& frame : frames) {
+  for (const FrameReport& frame : frames) {
     if (!(frame.*of)) return std::nullopt;
     squares += square(*(frame.*of));
   }
@@ -102,7 +102,7 @@ void RigTally::addFrames(RigReport& out, const TallyContext& context) const {
   std::optional<double> half;
   for (std::size_t f = 0; f < frames_.size(); ++f) {
     const Frame& from = frames_[f];
-    RigFrame& frame = out.frames.emplace_back();
+    FrameReport& frame = out.frames.emplace_back();
     frame.time = context.times[f];
     frame.spatialRms = scale * std::sqrt(from.errors.spatialSquares / channels);
     frame.totalRms = scale * std::sqrt(from.errors.totalSquares / channels);
@@ -129,8 +129,8 @@ void RigTally::addFrames(RigReport& out, const TallyContext& context) const {
   out.spatial = {scale * std::sqrt(spatial), scale * spatialMax_};
   out.total = {scale * std::sqrt(total), scale * totalMax_};
   if (half) out.halfFloat = ErrorFigures{scale * std::sqrt(*half), scale * halfMax_};
-  out.estimate = pooled(out.frames, &RigFrame::estimate);
-  out.totalEstimate = pooled(out.frames, &RigFrame::totalEstimate);
+  out.estimate = pooled(out.frames, &FrameReport::estimate);
+  out.totalEstimate = pooled(out.frames, &FrameReport::totalEstimate);
 }
 
 RigReport RigTally::report(const RigRunner& rig, const TallyContext& context) const {

@@ -12,7 +12,7 @@ double square(double x) { return x * x; }
 /// The wrap of most of the surface: what bounds and estimates are made for where materials differ.
 double meanGranted(const RigReport& rig) {
   double sum = 0;
-  for (const RigFrame& frame : rig.frames) sum += frame.granted.value_or(0);
+  for (const FrameReport& frame : rig.frames) sum += frame.granted.value_or(0);
   return sum / static_cast<double>(rig.frames.size());
 }
 
