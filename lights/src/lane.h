@@ -25,6 +25,7 @@ struct LaneMaskOf {
   friend HWY_INLINE LaneMaskOf operator||(LaneMaskOf a, LaneMaskOf b) noexcept { return {hn::Or(a.mask, b.mask)}; }
   friend HWY_INLINE std::size_t count(LaneMaskOf a) noexcept { return hn::CountTrue(Tag(), a.mask); }
   friend HWY_INLINE bool all(LaneMaskOf a) noexcept { return hn::AllTrue(Tag(), a.mask); }
+  friend HWY_INLINE bool none(LaneMaskOf a) noexcept { return hn::AllFalse(Tag(), a.mask); }
 };
 
 /// `Tag`: hn::ScalableTag<float> and the like.
@@ -62,6 +63,7 @@ struct LaneOf {
   friend HWY_INLINE LaneOf select(Mask where, LaneOf a, LaneOf b) noexcept {
     return hn::IfThenElse(where.mask, a.v, b.v);
   }
+  friend HWY_INLINE LaneOf zeroUnless(Mask where, LaneOf a) noexcept { return hn::IfThenElseZero(where.mask, a.v); }
 
   /// a b + c, a b - c and c - a b, of one rounding where the machine has that.
   friend HWY_INLINE LaneOf mulAdd(LaneOf a, LaneOf b, LaneOf c) noexcept { return hn::MulAdd(a.v, b.v, c.v); }

@@ -29,6 +29,7 @@ void setNearest(PreparedLight& light, double unit) noexcept {
   double nearest = std::max({detail::kCloseSquare * r2, held, detail::kMinPreparedSquare});
   // The cube root is asked for where it counts, at lights as bright as none that is meant.
   if (held * held > nearest * nearest * nearest) nearest = std::cbrt(held * held);
+  light.extreme = nearest > r2 / detail::kSmallSquare;
   light.nearestSquare = nearest < kLargest ? static_cast<float>(nearest) : std::numeric_limits<float>::infinity();
 }
 

@@ -12,6 +12,9 @@ namespace rigel::detail {
 /// Closer than sqrt(2) radii c takes its digits from d^2 - r^2 in double.
 inline constexpr double kCloseSquare = 2;
 
+/// Lights are small, and need no root, where the square of the sine of half their angle is below this.
+inline constexpr double kSmallSquare = 1.0 / 64;
+
 /// From this square of the distance on the kernels stay in float, up to where it overflows.
 inline constexpr double kMinPreparedSquare = 1e-30;
 

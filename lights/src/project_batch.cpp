@@ -39,10 +39,11 @@ struct Rows {
   SeenLanes seen[kLightBlock];
   Lane basis[kLightBlock][B * B];
   const RawRgb* colour = nullptr;
+  const float* const* shares = nullptr;
 
-  // Of points and spots; all spheres are there.
+  // Of those that are left where some reach no point.
   RawRgb colours[kLightBlock];
-  const float* shares[kLightBlock];
+  const float* ownShares[kLightBlock];
 
   // What takes more than one look.
   struct Unsure {
@@ -54,10 +55,11 @@ struct Rows {
   Unsure unsure[kLightBlock];
 };
 
-template <int B>
-HWY_INLINE typename Rows<B>::Unsure unsureOf(const PreparedLight& light, int row, const Sight& sight) {
-  const LaneMask served = sight.served && sight.s2 >= Lane(0.0f);  // no NaN
-  return {&light, row, oneWhere(served), oneWhere(sight.small), sight.s2};
+template <int B, PreparedKind Kind, bool WithFootprint>
+HWY_INLINE typename Rows<B>::Unsure unsureOf(const PreparedLight& light, const PointLanes& points, Lane square, Lane s2,
+                                             int row) {
+  return {&light, row, oneWhere(isServed<WithFootprint>(light, points, square, s2)),
+          oneWhere(isSmall<kTiny<Kind, WithFootprint>>(s2)), s2};
 }
 
 /// Lines of LinesAhead, a few a light and vector.
@@ -69,6 +71,7 @@ class Fetch {
     lines_ = static_cast<std::ptrdiff_t>((ahead.size() + steps - 1) / steps);
   }
   HWY_INLINE void step() {
+    if (HWY_LIKELY(next_ == end_)) return;
     for (const void* const* stop = next_ + std::min(lines_, end_ - next_); next_ != stop; ++next_)
       __builtin_prefetch(*next_, 0, kSecondLevel);
   }
@@ -80,11 +83,23 @@ class Fetch {
   std::ptrdiff_t lines_;
 };
 
+/// Leaves out the lights that reach no point; `kept`: the others.
+template <int B>
+HWY_NOINLINE void leaveOutDark(const LightBlock& block, const std::uint8_t* kept, Rows<B>& rows) {
+  for (int k = 0; k < rows.count; ++k) {
+    rows.colours[k] = block.colour[kept[k]];
+    rows.ownShares[k] = block.shares[kept[k]];
+  }
+  rows.colour = rows.colours;
+  rows.shares = rows.ownShares;
+}
+
 /// The way to the next light is begun before that to the one at hand is finished: the chain from a position to what is
 /// seen is longer than a core looks ahead.
-template <int B, PreparedKind Kind, bool WithFootprint>
+template <int B, PreparedKind Kind, bool Boundless, bool WithFootprint>
 HWY_NOINLINE void seeBlock(const LightBlock& block, const PointLanes& points, Fetch& ahead, Rows<B>& rows) {
   int count = 0, unsureCount = 0;
+  std::uint8_t kept[kLightBlock];
   Fetch fetch = ahead;
   ApartLanes next = apartFrom(*block.light[0], points);
   for (int i = 0; i < block.count; ++i) {
@@ -92,19 +107,19 @@ HWY_NOINLINE void seeBlock(const LightBlock& block, const PointLanes& points, Fe
     next = apartFrom(*block.light[i + 1], points);
     fetch.step();
     const PreparedLight& light = *block.light[i];
-    const Sight sight = see<B, Kind, WithFootprint>(light, points, apart, rows.seen[count], nullptr);
-    if (Kind != PreparedKind::sphere && sight.dark) continue;
-    if (HWY_UNLIKELY(!all(sight.served && sight.small))) rows.unsure[unsureCount++] = unsureOf<B>(light, count, sight);
-    if constexpr (Kind != PreparedKind::sphere) {
-      rows.shares[count] = block.shares[i];
-      rows.colours[count] = block.colour[i];
-    }
+    const Sight sight = see<B, Kind, Boundless, WithFootprint>(light, points, apart, rows.seen[count], nullptr);
+    if (!Boundless && sight.dark) continue;
+    if (HWY_UNLIKELY(!sight.easy))
+      rows.unsure[unsureCount++] = unsureOf<B, Kind, WithFootprint>(light, points, apart.square, sight.s2, count);
+    if constexpr (!Boundless) kept[count] = static_cast<std::uint8_t>(i);
     ++count;
   }
   ahead = fetch;
-  rows.colour = Kind == PreparedKind::sphere ? block.colour.data() : rows.colours;
   rows.count = count;
   rows.unsureCount = unsureCount;
+  rows.colour = block.colour.data();
+  rows.shares = block.shares.data();
+  if (!Boundless && count < block.count) leaveOutDark(block, kept, rows);
 }
 
 template <int B>
@@ -117,12 +132,11 @@ HWY_NOINLINE void seeUnsure(const PointLanes& points, Rows<B>& rows) {
 }
 
 /// What a light's SH are proportional to, times the points' shares; `at`: where these begin in a row.
-template <int B, PreparedKind Kind>
-HWY_NOINLINE void weighShares(const LightBlock& block, std::size_t at, Rows<B>& rows) {
-  const float* const* shares = Kind == PreparedKind::sphere ? block.shares.data() : rows.shares;
+template <int B>
+HWY_NOINLINE void weighShares(std::size_t at, Rows<B>& rows) {
   for (int k = 0; k < rows.count; ++k) {
-    if (shares[k] == nullptr) continue;
-    const Lane share = Lane::load(shares[k] + at);
+    if (rows.shares[k] == nullptr) continue;
+    const Lane share = Lane::load(rows.shares[k] + at);
     rows.seen[k].e *= share;
     rows.seen[k].band0 *= share;
   }
@@ -160,14 +174,14 @@ HWY_NOINLINE void addRows(const Rows<B>& rows, Lane* sums) {
 template <int B>
 constexpr int kRows = 3 * B* B;
 
-template <int B, PreparedKind Kind, bool WithFootprint>
+template <int B, PreparedKind Kind, bool Boundless, bool WithFootprint>
 void addBlock(LightBlock& block, const Tile& tile, std::size_t period, Fetch& ahead, Rows<B>& rows, Lane* sums) {
   block.light[block.count] = block.light[block.count - 1];
   for (int v = 0; v < tile.vectors; ++v, sums += kRows<B>) {
     const PointLanes points = tile.points(v);
-    seeBlock<B, Kind, WithFootprint>(block, points, ahead, rows);
+    seeBlock<B, Kind, Boundless, WithFootprint>(block, points, ahead, rows);
     seeUnsure<B>(points, rows);
-    if (block.shared) weighShares<B, Kind>(block, tile.shareAt(v, period), rows);
+    if (block.shared) weighShares<B>(tile.shareAt(v, period), rows);
     if constexpr (B * B <= kSumGroup) {
       addWeighed<B>(rows, sums);
     } else {
@@ -179,30 +193,42 @@ void addBlock(LightBlock& block, const Tile& tile, std::size_t period, Fetch& ah
   block.shared = false;
 }
 
+/// `Boundless`: lights all points.
+template <PreparedKind Kind, bool Boundless>
+struct LocalKind {};
+using Sphere = LocalKind<PreparedKind::sphere, true>;
+using Point = LocalKind<PreparedKind::point, true>;
+using Windowed = LocalKind<PreparedKind::point, false>;
+using Spot = LocalKind<PreparedKind::spot, false>;
+
 template <int B, bool WithFootprint>
 HWY_NOINLINE void sumLocalLights(const PreparedLights& lights, std::span<const LightUse> uses,
                                  const PointShares& shares, const Tile& tile, Fetch& ahead, Lane* sums) {
   Rows<B> rows;
-  LightBlock spheres, points, spots;
+  LightBlock spheres, points, windowed, spots;
+  const auto flush = [&]<PreparedKind Kind, bool Boundless>(LightBlock& block, LocalKind<Kind, Boundless>) {
+    addBlock<B, Kind, Boundless, WithFootprint>(block, tile, shares.period, ahead, rows, sums);
+  };
   for (std::size_t u = 0; u < uses.size(); ++u) {
     const PreparedLight& light = lights[uses[u].light];
     const float share = detail::heldShare(uses[u].share);
     const float* row = detail::shareRow(shares, u);
-    const auto add = [&]<PreparedKind Kind>(LightBlock& block, std::integral_constant<PreparedKind, Kind>) {
+    const auto add = [&](LightBlock& block, auto kind) {
       block.light[block.count] = &light;
       block.colour[block.count] = light.colour * share;
       block.shares[block.count] = row;
       block.shared = block.shared || row != nullptr;
-      if (++block.count == kLightBlock) addBlock<B, Kind, WithFootprint>(block, tile, shares.period, ahead, rows, sums);
+      if (++block.count == kLightBlock) flush(block, kind);
     };
-    if (light.kind == PreparedKind::sphere) add(spheres, std::integral_constant<PreparedKind, PreparedKind::sphere>());
-    if (light.kind == PreparedKind::point) add(points, std::integral_constant<PreparedKind, PreparedKind::point>());
-    if (light.kind == PreparedKind::spot) add(spots, std::integral_constant<PreparedKind, PreparedKind::spot>());
+    if (light.kind == PreparedKind::sphere) add(spheres, Sphere());
+    if (light.kind == PreparedKind::point)
+      light.inverseRangeSquare > 0 ? add(windowed, Windowed()) : add(points, Point());
+    if (light.kind == PreparedKind::spot) add(spots, Spot());
   }
-  if (spheres.count > 0)
-    addBlock<B, PreparedKind::sphere, WithFootprint>(spheres, tile, shares.period, ahead, rows, sums);
-  if (points.count > 0) addBlock<B, PreparedKind::point, WithFootprint>(points, tile, shares.period, ahead, rows, sums);
-  if (spots.count > 0) addBlock<B, PreparedKind::spot, WithFootprint>(spots, tile, shares.period, ahead, rows, sums);
+  if (spheres.count > 0) flush(spheres, Sphere());
+  if (points.count > 0) flush(points, Point());
+  if (windowed.count > 0) flush(windowed, Windowed());
+  if (spots.count > 0) flush(spots, Spot());
 }
 
 /// What the points of a vector take of a light.

@@ -111,23 +111,23 @@ HWY_NOINLINE void weighBlock(const LightBlock& block, const PointLanes& points, 
     SeenLanes& seen = rows.seen[count];
     BandWeights<B>& weights = rows.weights[count];
     SlopeLanes slope;
-    const Sight sight = see<B, Kind, false>(light, points, apart, seen, &slope);
+    const Sight sight = see<B, Kind, Kind == PreparedKind::sphere, false>(light, points, apart, seen, &slope);
     if (Kind != PreparedKind::sphere && sight.dark) continue;
-    if (HWY_UNLIKELY(!all(sight.small))) seeLarge(sight.s2, oneWhere(sight.small), seen);
+    if (HWY_UNLIKELY(!sight.easy)) seeLarge(sight.s2, oneWhere(isSmall<kTiny<Kind, false>>(sight.s2)), seen);
     weighValue<B>(seen, weights);
     weighPlus<B>(seen, slope, weights);
     const bool modulated = Kind == PreparedKind::spot || (Kind == PreparedKind::point && light.inverseRangeSquare > 0);
     if (modulated) weighModulation<B>(seen, slope, weights);
     bool withExcess = modulated;
     bool withAxial = Kind == PreparedKind::spot && !all(slope.axial <= Lane(0.0f));
-    if (HWY_UNLIKELY(!all(sight.served && sight.s2 >= Lane(0.0f)))) {
+    const auto served = [&]() HWY_ATTR { return isServed<false>(light, points, apart.square, sight.s2); };
+    if (HWY_UNLIKELY(!sight.easy && !all(served()))) {
       if (!modulated) std::fill_n(weights.excess, B, Lane(0.0f));
       weights.excess[0] = Lane(0.0f);
       SeenLanes axial = seen;
       axial.e = slope.axial;
       axial.band0 = quotient(slope.axial, Lane(1.0f) + seen.c);
-      const Lane isServed = oneWhere(sight.served && sight.s2 >= Lane(0.0f));
-      weighWithCare<B>(light, points, isServed, seen, weights, axial);
+      weighWithCare<B>(light, points, oneWhere(served()), seen, weights, axial);
       if (Kind == PreparedKind::spot) addAxial<B>(light, block.colour[i], axial, rows);
       withExcess = true;
     } else if (withAxial) {

@@ -22,11 +22,12 @@ inline constexpr int kSlopeBlock = 16;
 inline constexpr int kTileVectors = 4;
 
 /// An Rgb that begins with no value: blocks of lights are made for every tile, and hold few lights or many.
-struct RawRgb {
-  float r, g, b;
+/// Of four numbers it is moved as one vector.
+struct alignas(16) RawRgb {
+  float r, g, b, unused;
 
   RawRgb() = default;
-  RawRgb(Rgb c) noexcept : r(c.r), g(c.g), b(c.b) {}
+  RawRgb(Rgb c) noexcept : r(c.r), g(c.g), b(c.b), unused(0) {}
   operator Rgb() const noexcept { return {r, g, b}; }
 };
 

@@ -29,10 +29,9 @@ struct SeenLanes {
 
 /// How `see` fared.
 struct Sight {
-  LaneMask served;  // where float serves, if it is small there; elsewhere what is seen is of no use
-  LaneMask small;   // where c and band0 are right
-  Lane s2;          // (r/d)^2, the sine squared
-  bool dark;        // reaches none of the points
+  bool easy;  // all that is seen is right; where not, look at doubtsOf
+  Lane s2;    // (r/d)^2, the sine squared
+  bool dark;  // reaches none of the points
 };
 
 /// What the derivative by the point takes besides. e changes by radial w for a step towards the light because window
@@ -45,20 +44,28 @@ struct SlopeLanes {
 /// 1 where it holds, else 0: on some machines masks cannot lie in arrays.
 HWY_INLINE Lane oneWhere(LaneMask mask) { return select(mask, Lane(1.0f), Lane(0.0f)); }
 
-/// c and 1/(1+c) of lights that are small enough, without a root: of spheres quadratics fitted to s2 < 1/64, within
-/// 1e-8; of points and spots, which are smaller unless they are right there, the first terms, which leave out s2^2/8
-/// and s2^2/16.
-template <detail::PreparedKind Kind>
-HWY_INLINE LaneMask seeSmall(Lane e, Lane s2, SeenLanes& seen) {
-  if constexpr (Kind == detail::PreparedKind::sphere) {
-    seen.c = mulAdd(s2, mulAdd(s2, Lane(-0.12637524f), Lane(-0.49999332f)), Lane(1.0f));
-    seen.band0 = e * mulAdd(s2, mulAdd(s2, Lane(0.063360702f), Lane(0.12499582f)), Lane(0.5f));
-    return s2 < Lane(1.0f / 64);
-  } else {
+/// Points and spots of no footprint are smaller, unless they are right there, and do with the first terms.
+template <detail::PreparedKind Kind, bool WithFootprint>
+inline constexpr bool kTiny = Kind != detail::PreparedKind::sphere && !WithFootprint;
+
+/// c and 1/(1+c) of lights that are small enough, without a root: quadratics fitted to s2 < 1/64, within 1e-8; or the
+/// first terms, which leave out s2^2/8 and s2^2/16.
+template <bool Tiny>
+HWY_INLINE void seeSmall(Lane e, Lane s2, SeenLanes& seen) {
+  if constexpr (Tiny) {
     seen.c = negMulAdd(Lane(0.5f), s2, Lane(1.0f));
     seen.band0 = e * mulAdd(Lane(0.125f), s2, Lane(0.5f));
-    return s2 < Lane(5e-4f);
+  } else {
+    seen.c = mulAdd(s2, mulAdd(s2, Lane(-0.12637524f), Lane(-0.49999332f)), Lane(1.0f));
+    seen.band0 = e * mulAdd(s2, mulAdd(s2, Lane(0.063360702f), Lane(0.12499582f)), Lane(0.5f));
   }
+}
+
+/// Also false for NaN, which s2 is where a light is too far for floats.
+template <bool Tiny>
+HWY_INLINE LaneMask isSmall(Lane s2) {
+  constexpr double kBound = Tiny ? 5e-4 : detail::kSmallSquare;
+  return s2 < Lane(kBound);
 }
 
 /// The vectors from points to a light, with what takes longest to find.
@@ -76,19 +83,25 @@ HWY_INLINE ApartLanes apartFrom(const detail::PreparedLight& light, const PointL
   return apart;
 }
 
-/// What a light is at points, c and band0 as if it were small. `slope`: a SlopeLanes*, or nullptr where nobody asks for
+/// Where float serves, if the light is small there; elsewhere what is seen is of no use.
+template <bool WithFootprint>
+HWY_INLINE LaneMask isServed(const detail::PreparedLight& light, const PointLanes& points, Lane square, Lane s2) {
+  LaneMask served = square >= Lane(light.nearestSquare) && s2 >= Lane(0.0f);
+  if constexpr (WithFootprint)
+    served = served && square >= Lane(detail::kCloseSquare) * points.footprint * points.footprint;
+  return served;
+}
+
+/// What a light is at points, c and band0 as if it were small. `Boundless`: it has neither window nor cone. `slope`: a
+/// SlopeLanes*, or nullptr where nobody asks for
 /// it.
-template <int B, detail::PreparedKind Kind, bool WithFootprint, class Slope>
+template <int B, detail::PreparedKind Kind, bool Boundless, bool WithFootprint, class Slope>
 HWY_INLINE Sight see(const detail::PreparedLight& light, const PointLanes& points, const ApartLanes& apart,
                      SeenLanes& seen, Slope slope) {
   constexpr bool kWithSlope = !std::is_same_v<Slope, std::nullptr_t>;
   constexpr bool kSphere = Kind == detail::PreparedKind::sphere;
+  constexpr bool kIsTiny = kTiny<Kind, WithFootprint>;
   bool dark = false;
-  // Also false for NaN. What is too far for floats makes s2 a NaN.
-  LaneMask served = apart.square >= Lane(light.nearestSquare);
-  if constexpr (WithFootprint)
-    served = served && apart.square >= Lane(detail::kCloseSquare) * points.footprint * points.footprint;
-
   const Lane quick = apart.inverse;
   Lane wx = apart.x * quick, wy = apart.y * quick, wz = apart.z * quick;
   // By how much w is too short: what the square's and the root's rounding left, each band taking it once more than the
@@ -113,14 +126,11 @@ HWY_INLINE Sight see(const detail::PreparedLight& light, const PointLanes& point
     const Lane inverseSquare = inverse * inverse;
     e = inverseSquare;
     s2 = inverseSquare * Lane(light.radiusSquare);
-    if (light.inverseRangeSquare > 0) {
-      if constexpr (kWithSlope) {
-        const Lane x2 = apart.square * Lane(light.inverseRangeSquare);
-        const Lane u = max(negMulAdd(x2, x2, Lane(1.0f)), Lane(0.0f));
-        slope->radial = Lane(8.0f) * e * u * min(x2 * x2, Lane(1.0f)) * inverse;
-      }
-      e *= rangeWindow(apart.square, light.inverseRangeSquare);
-      dark = all(e <= Lane(0.0f)) && all(served);
+    if (!Boundless && light.inverseRangeSquare > 0) {
+      const RangeLanes range(apart.square, light.inverseRangeSquare);
+      if constexpr (kWithSlope) slope->radial = range.slope(e) * inverse;
+      e = range.window(e);
+      dark = none(range.within);
     }
   }
   if constexpr (Kind == detail::PreparedKind::spot) {
@@ -133,7 +143,7 @@ HWY_INLINE Sight see(const detail::PreparedLight& light, const PointLanes& point
         slope->radial = mulAdd(slope->radial, smoothStep(t), slope->axial * (t - Lane(light.coneOffset)));
       }
       e *= smoothStep(t);
-      dark = all(e <= Lane(0.0f)) && all(served);
+      dark = dark || all(e <= Lane(0.0f));
     }
   }
   if constexpr (WithFootprint) {
@@ -144,8 +154,12 @@ HWY_INLINE Sight see(const detail::PreparedLight& light, const PointLanes& point
   seen.wy = wy;
   seen.wz = wz;
   seen.e = e;
-  const LaneMask small = seeSmall<Kind>(e, s2, seen);
-  return {served, small, s2, dark};
+  seeSmall<kIsTiny>(e, s2, seen);
+  const bool easy = !light.extreme && all(isSmall<kIsTiny>(s2));
+  // A cone is another one inside a light.
+  if (Kind == detail::PreparedKind::spot && dark && !easy)
+    dark = all(isServed<WithFootprint>(light, points, apart.square, s2));
+  return {easy, s2, dark};
 }
 
 /// c and band0 where the light is not small.

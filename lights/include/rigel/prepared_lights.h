@@ -33,6 +33,7 @@ struct alignas(64) PreparedLight {
   float inverseRangeSquare = 0;            // 0: no window
   PreparedKind kind = PreparedKind::none;  // none: contributes nothing
   bool twoSided = false;
+  bool extreme = false;  // float does not do for all points from which it is seen under a small angle
 };
 
 }  // namespace detail
