@@ -64,10 +64,19 @@ rigel_result checkBuffers(const Call& call, const rigel_frame_desc& d, const Cro
   return checkBuffer(call, d.near_lights, d.near_light_capacity, bound.near, "near_lights");
 }
 
+rigel_result checkTree(const Call& call, const rigel_frame_desc& desc) {
+  if (!(desc.light_target >= 0 && desc.light_target <= 1)) return call.value("light_target is not 0 to 1");
+  if (desc.light_target == 0) return RIGEL_OK;
+  if (!desc.lights->current.hasTree) return call.value("light_target is set, and the lights have no RIGEL_LIGHTS_TREE");
+  if (!(desc.light_cell > 0) || !isFinite(desc.light_cell)) return call.value("light_cell is not positive and finite");
+  if (!(desc.light_wrap >= -0.25f && desc.light_wrap <= 1)) return call.value("light_wrap is not -1/4 to 1");
+  return RIGEL_OK;
+}
+
 rigel_result check(const Call& call, const rigel_frame_desc& desc, const rigel_crowd& crowd) {
   if (const auto e = call.needs({{desc.lights, "lights"}}); e != RIGEL_OK) return e;
   if (!(desc.seconds >= 0) || !isFinite(desc.seconds)) return call.value("seconds is negative or not finite");
-  if (desc.reserved != 0) return call.value("reserved is not 0");
+  if (const auto e = checkTree(call, desc); e != RIGEL_OK) return e;
   return checkBuffers(call, desc, crowd.visit([](const auto& c) { return c.outputBound(); }));
 }
 
@@ -89,9 +98,11 @@ CrowdStats light(rigel_crowd& crowd, const rigel_frame_desc& desc) {
       static_cast<Tasks*>(context)->run(count, task, work);
     };
   const rigel_lights::Frame& lights = desc.lights->current;
+  CrowdTree tree;
+  if (desc.light_target > 0) tree = {&lights.tree, desc.light_target, desc.light_cell, desc.light_wrap};
   const float seconds = std::exchange(crowd.torn, false) ? 0 : desc.seconds;
   return crowd.visit([&](auto& c) {
-    return c.frame({&lights.set, &lights.prepared, lights.ids}, seconds, outputOf(desc), parallel,
+    return c.frame({&lights.set, &lights.prepared, lights.ids, tree}, seconds, outputOf(desc), parallel,
                    {desc.clock.now, desc.clock.context});
   });
 }
@@ -116,6 +127,9 @@ rigel_result rigel_light_crowd(rigel_crowd* crowd, const rigel_frame_desc* desc,
     did.visible = static_cast<uint32_t>(stats.visible);
     did.updated = static_cast<uint32_t>(stats.updated);
     did.unusable = static_cast<uint32_t>(stats.unusable);
+    did.merged = stats.merged;
+    did.lights = stats.lights;
+    did.clusters = stats.clusters;
     std::copy(stats.ticks.begin(), stats.ticks.end(), did.ticks);
     Call::write(did, info);
     return RIGEL_OK;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <rigel/crowd.h>
+#include <rigel/light_tree.h>
 #include <rigel/rigel.h>
 
 #include <utility>
@@ -16,6 +17,8 @@ struct rigel_lights {
     rigel::LightSet set;
     rigel::PreparedLights prepared;
     std::vector<std::uint32_t> ids;
+    rigel::LightTree tree;
+    bool hasTree = false;
   };
   Frame current;
   Frame next;                         // filled before it takes the other's place: a call that fails changes nothing

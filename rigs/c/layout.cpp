@@ -16,7 +16,7 @@ static_assert(sizeof(rigel_vec4) == sizeof(rigel::GpuVec4) && sizeof(rigel_half4
 static_assert(sizeof(rigel_transform) == sizeof(rigel::JointMatrix));
 static_assert(RIGEL_MAX_NEAR_SLOTS == rigel::kMaxCrowdNear && RIGEL_MAX_INTERVAL == rigel::kMaxCrowdInterval);
 static_assert(RIGEL_ALL_GROUPS == rigel::kAllLightGroups && int{RIGEL_STAGE_COUNT} == rigel::kCrowdStages);
-static_assert(int{RIGEL_STAGE_PACK} == static_cast<int>(rigel::CrowdStage::pack));
+static_assert(int{RIGEL_STAGE_SELECT} == static_cast<int>(rigel::CrowdStage::select));
 
 static_assert(sizeof(rigel_gpu_rig) == sizeof(GpuRig));
 RIGEL_SAME(rigel_gpu_rig, centre, GpuRig, centre);
@@ -52,9 +52,9 @@ RIGEL_SAME(rigel_gpu_near_light, extent, GpuNearLight, extent);
 
 // No description has bytes that no member sets.
 static_assert(sizeof(rigel_crowd_desc) == sizeof(std::size_t) + 2 * 4);
-static_assert(sizeof(rigel_lights_desc) == 11 * sizeof(std::size_t));
+static_assert(sizeof(rigel_lights_desc) == 11 * sizeof(std::size_t) + 2 * 4);
 static_assert(sizeof(rigel_kind_desc) == 6 * sizeof(std::size_t) + 10 * 4);
 static_assert(sizeof(rigel_character_desc) == 3 * sizeof(std::size_t) + 16 * 4);
-static_assert(sizeof(rigel_frame_desc) == 14 * sizeof(std::size_t) + 2 * 4);
+static_assert(sizeof(rigel_frame_desc) == 14 * sizeof(std::size_t) + 4 * 4);
 
 }  // namespace

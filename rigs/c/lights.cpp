@@ -92,6 +92,14 @@ rigel_result checkIds(const Call& call, const std::vector<std::uint32_t>& ids, s
   return twice == sorted.end() ? RIGEL_OK : call.fail(RIGEL_ERROR_ID, "two lights have the id %u", *twice);
 }
 
+void prepare(rigel_lights::Frame& frame, std::uint32_t flags) {
+  frame.prepared.set(frame.set);
+  frame.hasTree = (flags & RIGEL_LIGHTS_TREE) != 0;
+  if (!frame.hasTree) return;
+  frame.tree.update(frame.set);
+  for (const SphereLight& cluster : frame.tree.clusters()) frame.prepared.add(cluster);
+}
+
 }  // namespace
 }  // namespace rigel::c
 
@@ -110,9 +118,11 @@ rigel_result rigel_set_lights(rigel_lights* lights, const rigel_lights_desc* des
     if (const auto e = call.needs({{lights, "lights"}}); e != RIGEL_OK) return e;
     rigel_lights_desc own;
     if (const auto e = call.read(desc, own); e != RIGEL_OK) return e;
+    if ((own.flags & ~RIGEL_LIGHTS_TREE) != 0) return call.value("flags has unknown bits");
+    if (own.reserved != 0) return call.value("reserved is not 0");
     if (const auto e = addAll(call, own, lights->next); e != RIGEL_OK) return e;
     if (const auto e = checkIds(call, lights->next.ids, lights->sorted); e != RIGEL_OK) return e;
-    lights->next.prepared.set(lights->next.set);
+    prepare(lights->next, own.flags);
     std::swap(lights->current, lights->next);
     return RIGEL_OK;
   });

@@ -69,6 +69,10 @@ void fitBlock(const FitView& fit, float* rows) noexcept;
 /// Rows to characters: `count` numbers, a multiple of 4, of each character to out[character].
 void transposeRows(const float* rows, int count, int characters, float* const* out) noexcept;
 
+/// Adds what distant lights give at each point to sums as projectBatch leaves them: `slopes` has four numbers a row of
+/// sums, value and derivatives by x, y and z at `centre`. The same at a point whatever others there are.
+void addDistant(const float* slopes, Vec3 centre, const Vec3Rows& points, std::span<float> sums) noexcept;
+
 /// out = a + (b - a) t.
 void blend(const float* a, const float* b, float t, std::size_t count, float* out) noexcept;
 /// Largest finite magnitude.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <new>
 
 namespace rigel {
 
@@ -27,8 +28,10 @@ struct Crowd<B>::State {
 
   CrowdStats frame(const CrowdLights& frameLights, float seconds, const CrowdOutput& to, ParallelFor parallel,
                    CrowdProbe clock);
+  void reserve(Task& task);
   void runBlocks(int first) noexcept;
-  void update(Task& task, const Block& block) noexcept;
+  void tryUpdate(Task& task, const Block& block) noexcept;
+  void update(Task& task, const Block& block);
   void show(Task& task, const Block& block) noexcept;
 
   // Stages of `update`, for n characters.
@@ -36,9 +39,9 @@ struct Crowd<B>::State {
   static const JointMatrix* paletteOf(const Population& population, const Character& character) noexcept;
   void pose(Task& task, const Block& block, Population& population) noexcept;
   void maskLights(Task& task, int n) noexcept;
-  void weighNear(Task& task, const Block& block, Population& population) noexcept;
-  void weigh(Task& task, const Block& block, Population& population) noexcept;
-  void project(Task& task, const Population& population, int n) noexcept;
+  void weighNear(Task& task, const Block& block, Population& population);
+  void weigh(Task& task, const Block& block, Population& population);
+  void project(Task& task, const Population& population, int n);
   void placeResults(Task& task, const Block& block, Population& population) noexcept;
   void keep(Task& task, const Block& block, Population& population) noexcept;
 
@@ -71,13 +74,12 @@ CrowdStats Crowd<B>::State::frame(const CrowdLights& frameLights, float seconds,
   assert(frameLights.lights != nullptr && frameLights.prepared != nullptr);
   const bool cut = !(seconds > 0 && std::isfinite(seconds));
   lights.set(frameLights);
-  for (Task& task : tasks)
-    for (const Population& population : populations) task.reserve(population.data(), kWidth, kPadded, lights.count());
-  CrowdStats stats = schedule.plan(populations, frames++, cut ? 0 : seconds, cut);
+  for (Task& task : tasks) reserve(task);
+  CrowdStats stats =
+      schedule.plan(populations, frames++, cut ? 0 : seconds, cut, lights.hasTree() ? lights.tree().cell : 0);
   assert(to.rigs.size() >= static_cast<std::size_t>(stats.visible));
   output = to;
   probe = clock;
-  for (Task& task : tasks) task.stats = {};
   const ParallelFor::Task run = [](void* work, int i) { static_cast<State*>(work)->runBlocks(i); };
   const std::size_t blocks = schedule.blocks().size();
   parts = parallel.run != nullptr ? static_cast<int>(std::min(tasks.size(), blocks)) : 1;
@@ -88,11 +90,35 @@ CrowdStats Crowd<B>::State::frame(const CrowdLights& frameLights, float seconds,
   } else if (parts > 0) {
     run(this, 0);
   }
+  bool exhausted = false;
+  if (!lights.hasTree()) stats.lights = static_cast<std::uint64_t>(stats.updated) * lights.ids().size();
   for (const Task& task : tasks) {
     stats.unusable += task.stats.unusable;
+    stats.lights += task.stats.lights;
+    stats.clusters += task.stats.clusters;
+    stats.merged = std::max(stats.merged, task.stats.merged);
+    stats.asked += lights.hasTree() ? task.tree.asked() : 0;
     for (std::size_t i = 0; i < stats.ticks.size(); ++i) stats.ticks[i] += task.stats.ticks[i];
+    exhausted = exhausted || task.exhausted;
   }
+  if (exhausted) throw std::bad_alloc();
   return stats;
+}
+
+/// For the frame's lights.
+template <int B>
+void Crowd<B>::State::reserve(Task& task) {
+  for (const Population& population : populations) {
+    const CrowdKind::Data& kind = population.data();
+    task.reserve(kind, kWidth, kPadded, lights.hasTree() ? 0 : lights.count());
+    if (!lights.hasTree()) continue;
+    const auto uses = static_cast<std::size_t>(lights.prepared().size());
+    task.tree.reserve(kind.samples, kWidth, uses);
+    task.errors.reserve(std::min(uses, crowd::TreeTask::kListed) * kBlock);
+  }
+  if (lights.hasTree()) task.tree.begin(lights);
+  task.stats = {};
+  task.exhausted = false;
 }
 
 /// A task's own part, which it had in the last frame too and has in its caches, then what is left of the others'.
@@ -105,15 +131,26 @@ void Crowd<B>::State::runBlocks(int first) noexcept {
     for (std::size_t i; (i = queue.take()) != queue.kNone;) {
       const std::size_t after = queue.following();
       fetchAhead(task, blocks[i], after != queue.kNone ? &blocks[after] : nullptr);
-      blocks[i].update ? update(task, blocks[i]) : show(task, blocks[i]);
+      blocks[i].update ? tryUpdate(task, blocks[i]) : show(task, blocks[i]);
     }
   }
 }
 
 // Updates.
 
+/// No exception crosses the caller's threads: `frame` throws it.
 template <int B>
-void Crowd<B>::State::update(Task& task, const Block& block) noexcept {
+void Crowd<B>::State::tryUpdate(Task& task, const Block& block) noexcept {
+  try {
+    update(task, block);
+  } catch (const std::bad_alloc&) {
+    task.exhausted = true;
+    for (int c = 0; c < static_cast<int>(block.count); ++c) at(populations[block.population], block, c).lit = false;
+  }
+}
+
+template <int B>
+void Crowd<B>::State::update(Task& task, const Block& block) {
   Population& population = populations[block.population];
   const CrowdKind::Data& kind = population.data();
   const int n = static_cast<int>(block.count);
@@ -124,6 +161,10 @@ void Crowd<B>::State::update(Task& task, const Block& block) noexcept {
     crowd::refreshOperators(n, kind.monomials(), kind.shares, task.positions.data(), task.places, task.normal.data(),
                             task.op.data());
     clock.done(CrowdStage::refresh);
+  }
+  if (lights.hasTree()) {
+    task.tree.template select<B>(lights, task.places, task.groups, n, task.stats);
+    clock.done(CrowdStage::select);
   }
   weigh(task, block, population);
   clock.done(CrowdStage::rank);
@@ -215,24 +256,29 @@ void Crowd<B>::State::pose(Task& task, const Block& block, Population& populatio
 
 /// Near weights of the block, and what they leave to its rigs.
 template <int B>
-void Crowd<B>::State::weigh(Task& task, const Block& block, Population& population) noexcept {
+void Crowd<B>::State::weigh(Task& task, const Block& block, Population& population) {
   const CrowdKindOptions& options = population.data().options;
   const int n = static_cast<int>(block.count);
-  task.shares.clear(block.count);
+  lights.hasTree() ? task.tree.clearNear() : task.shares.clear(block.count);
   if (options.nearSlots > 0) weighNear(task, block, population);
+  if (lights.hasTree()) return;
   // Last: what is masked is so for the rig at once, while what is near of it fades.
   maskLights(task, n);
 }
 
 template <int B>
-void Crowd<B>::State::weighNear(Task& task, const Block& block, Population& population) noexcept {
+void Crowd<B>::State::weighNear(Task& task, const Block& block, Population& population) {
   const CrowdKindOptions& options = population.data().options;
   const int n = static_cast<int>(block.count);
+  const bool tree = lights.hasTree();
+  const crowd::RankRows ranks = tree ? task.tree.rank(lights) : lights.ranks();
+  task.errors.reserve(static_cast<std::size_t>(ranks.count) * kBlock);
   float* errors = task.errors.data();
-  crowd::rankLights(lights.ranks(), {&task.places, task.groups, n, population.data().degree}, errors);
-  crowd::nthLargest(errors, lights.count(), n, options.nearSlots + 1, task.floors);
+  crowd::rankLights(ranks, {&task.places, task.groups, n, population.data().degree}, errors);
+  if (tree) task.tree.share(errors);
+  crowd::nthLargest(errors, ranks.count, n, options.nearSlots + 1, task.floors);
   for (int c = 0; c < n; ++c) task.floors[c] = std::max(task.floors[c], options.tolerance);
-  crowd::findAbove(errors, lights.count(), n, task.floors, options.nearSlots, task.hits);
+  crowd::findAbove(errors, ranks.count, n, task.floors, options.nearSlots, task.hits);
   for (int c = 0; c < n; ++c) {
     const std::size_t index = schedule.character(block.begin + static_cast<std::uint32_t>(c));
     const Character& character = population.characters[index];
@@ -240,12 +286,22 @@ void Crowd<B>::State::weighNear(Task& task, const Block& block, Population& popu
     view.errors = errors + c;
     view.above = {task.hits.light[c], static_cast<std::size_t>(task.hits.count[c])};
     view.floor = task.floors[c];
+    if (tree) {
+      view.listed = task.tree.listed();
+      view.shares = task.tree.shares() + c;
+      view.lights = &lights.lights();
+      view.groups = task.groups[c];
+    }
     view.ids = lights.ids();
     view.fresh = lights.fresh();
     view.step = options.weightRate > 0 ? std::min(options.weightRate * character.seconds, 1.0f) : 1;
     view.cut = !character.lit;
     view.atOnce = character.span == 1;
     crowd::updateNear(view, population.nearOf(index));
+    if (tree) {
+      task.tree.setNear(c, population.nearOf(index));
+      continue;
+    }
     for (const NearSlot& slot : population.nearOf(index))
       if (slot.to > 0) task.shares.set(slot.light, static_cast<std::size_t>(c), 1 - slot.to);
   }
@@ -262,14 +318,17 @@ void Crowd<B>::State::maskLights(Task& task, int n) noexcept {
 }
 
 template <int B>
-void Crowd<B>::State::project(Task& task, const Population& population, int n) noexcept {
+void Crowd<B>::State::project(Task& task, const Population& population, int n) {
   const CrowdKind::Data& kind = population.data();
   const std::size_t count = static_cast<std::size_t>(n), points = count * static_cast<std::size_t>(kind.samples);
   for (std::size_t s = 0; s < kind.footprints.size(); ++s)
     std::fill_n(task.footprints.data() + s * count, count, kind.footprints[s]);
   const Vec3Rows rows{{task.x.data(), points}, {task.y.data(), points}, {task.z.data(), points}};
-  projectBatch<B>(lights.prepared(), lights.uses(), rows, {task.footprints.data(), points},
-                  {task.sums.data(), kWidth * points}, task.shares.view(lights.uses().size()), task.ahead.view());
+  const std::span<const float> footprints(task.footprints.data(), points);
+  const std::span<float> sums(task.sums.data(), kWidth * points);
+  if (lights.hasTree()) return task.tree.template project<B>(lights, rows, footprints, n, sums, task.ahead.view());
+  projectBatch<B>(lights.prepared(), lights.uses(), rows, footprints, sums, task.shares.view(lights.uses().size()),
+                  task.ahead.view());
 }
 
 /// Where coefficients go: to the output at once, where that is all that becomes of them.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "crowd_cells.h"
+
 namespace rigel::crowd {
 namespace {
 
@@ -53,8 +55,8 @@ void Population::remove(std::uint32_t i) noexcept {
 }
 
 std::size_t Population::bytesPerCharacter() const noexcept {
-  return sizeof(Character) + nearSlots() * sizeof(NearSlot) + 2 * floats() * sizeof(float) +
-         3 * sizeof(std::uint32_t);  // free, order, shown
+  return sizeof(Character) + nearSlots() * sizeof(NearSlot) + 2 * floats() * sizeof(float) + 3 * sizeof(std::uint32_t) +
+         16;  // free, order, shown, places
 }
 
 void Schedule::reserve(std::span<const Population> populations) {
@@ -65,7 +67,8 @@ void Schedule::reserve(std::span<const Population> populations) {
   }
   order_.reserve(characters);
   shown_.reserve(most);
-  blocks_.reserve(characters / kBlock + 3 * populations.size());
+  places_.reserve(most);
+  blocks_.reserve(2 * characters / kBlock + 3 * populations.size());
 }
 
 /// Of the characters in order_ from `begin` on.
@@ -75,7 +78,28 @@ void Schedule::addBlocks(std::uint32_t population, std::size_t begin, std::uint3
     blocks_.push_back({population, i, std::min(size, end - i), update});
 }
 
-CrowdStats Schedule::plan(std::span<Population> populations, std::uint64_t frame, float seconds, bool cut) noexcept {
+/// The same, of those who are close together: where a block is half full, it ends with the cell.
+void Schedule::addBlocksByPlace(const Population& of, std::uint32_t population, std::size_t begin, float cell) {
+  places_.clear();
+  for (std::size_t i = begin; i < order_.size(); ++i)
+    places_.push_back({placeKey(of.characters[order_[i]].input.worldFromRig.origin, cell), order_[i]});
+  std::ranges::sort(places_);
+  Block block{population, static_cast<std::uint32_t>(begin), 0, true};
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    order_[begin + i] = places_[i].character;
+    const bool newCell = i > 0 && places_[i].key >> kPlaceBits != places_[i - 1].key >> kPlaceBits;
+    if (block.count == kBlock || (newCell && block.count >= kBlock / 2)) {
+      blocks_.push_back(block);
+      block.begin += block.count;
+      block.count = 0;
+    }
+    ++block.count;
+  }
+  if (block.count > 0) blocks_.push_back(block);
+}
+
+CrowdStats Schedule::plan(std::span<Population> populations, std::uint64_t frame, float seconds, bool cut,
+                          float cell) noexcept {
   CrowdStats stats;
   blocks_.clear();
   order_.clear();
@@ -111,7 +135,11 @@ CrowdStats Schedule::plan(std::span<Population> populations, std::uint64_t frame
       order_.push_back(static_cast<std::uint32_t>(i));
     }
     stats.updated += static_cast<int>(order_.size() - begin);
-    addBlocks(static_cast<std::uint32_t>(p), begin, kBlock, true);
+    if (cell > 0) {
+      addBlocksByPlace(population, static_cast<std::uint32_t>(p), begin, cell);
+    } else {
+      addBlocks(static_cast<std::uint32_t>(p), begin, kBlock, true);
+    }
     const std::size_t rest = order_.size();
     order_.insert(order_.end(), shown_.begin(), shown_.end());
     addBlocks(static_cast<std::uint32_t>(p), rest, kShownBlock, false);

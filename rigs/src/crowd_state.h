@@ -65,22 +65,31 @@ class Schedule {
  public:
   void reserve(std::span<const Population> populations);
 
-  /// `cut`: for all.
-  CrowdStats plan(std::span<Population> populations, std::uint64_t frame, float seconds, bool cut) noexcept;
+  /// `cut`: for all. `cell` [m]: blocks are of characters that are close together, by a grid of that size; 0: in their
+  /// order.
+  CrowdStats plan(std::span<Population> populations, std::uint64_t frame, float seconds, bool cut, float cell) noexcept;
 
   std::span<const Block> blocks() const noexcept { return blocks_; }
   std::uint32_t character(std::uint32_t place) const noexcept { return order_[place]; }
   std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(order_.size()); }
   std::size_t bytes() const noexcept {
-    return blocks_.capacity() * sizeof(Block) + (order_.capacity() + shown_.capacity()) * sizeof(std::uint32_t);
+    return blocks_.capacity() * sizeof(Block) + (order_.capacity() + shown_.capacity()) * sizeof(std::uint32_t) +
+           places_.capacity() * sizeof(Place);
   }
 
  private:
   void addBlocks(std::uint32_t population, std::size_t begin, std::uint32_t size, bool update);
+  void addBlocksByPlace(const Population& of, std::uint32_t population, std::size_t begin, float cell);
 
   std::vector<Block> blocks_;
   std::vector<std::uint32_t> order_;  // characters, block by block
   std::vector<std::uint32_t> shown_;  // scratch of plan
+  struct Place {
+    std::uint64_t key = 0;
+    std::uint32_t character = 0;
+    friend auto operator<=>(const Place&, const Place&) = default;
+  };
+  std::vector<Place> places_;  // the same
 };
 
 }  // namespace rigel::crowd

@@ -2,41 +2,11 @@
 #pragma once
 
 #include "crowd_kind.h"
+#include "crowd_tree_task.h"
 
-#include <algorithm>
 #include <atomic>
 
 namespace rigel::crowd {
-
-/// Shares of a block's characters in its lights: 1 but where they are set.
-class BlockShares {
- public:
-  void reserve(std::size_t lights) {
-    if (lights > rows_.size()) rows_.resize(lights, nullptr);
-    numbers_.reserve(lights * (kBlock + PointShares::kRowEnd));
-  }
-  void clear(std::size_t characters) noexcept {
-    if (used_ > 0) std::ranges::fill(rows_, nullptr);
-    used_ = 0;
-    period_ = characters;
-  }
-  void set(int light, std::size_t character, float share) noexcept {
-    const std::size_t length = period_ + PointShares::kRowEnd;
-    if (rows_[light] == nullptr) {
-      float* row = numbers_.data() + used_++ * length;
-      std::fill_n(row, length, 1.0f);
-      rows_[light] = row;
-    }
-    for (std::size_t i = character; i < length; i += period_) rows_[light][i] = share;
-  }
-  PointShares view(std::size_t lights) const noexcept { return {{rows_.data(), used_ > 0 ? lights : 0}, period_}; }
-  std::size_t bytes() const noexcept { return numbers_.bytes() + rows_.capacity() * sizeof(float*); }
-
- private:
-  std::vector<float*> rows_;
-  AlignedArray<float> numbers_;
-  std::size_t used_ = 0, period_ = 1;
-};
 
 /// A part of a frame's blocks: whoever takes one from it has it alone.
 class BlockQueue {
@@ -75,9 +45,12 @@ struct Task {
   AlignedArray<double> normal;              // refreshOperators
   AlignedArray<float> op, errors, sums, rows, coefficients, shown;
   BlockShares shares;
+  TreeTask tree;
   CrowdStats stats;
+  bool exhausted = false;  // memory has ended
 
-  /// For blocks of a kind and that many lights; `width`: floats of an SH vector, `padded` as they are packed.
+  /// For blocks of a kind and that many lights without a tree; `width`: floats of an SH vector, `padded` as they are
+  /// packed.
   void reserve(const CrowdKind::Data& kind, int width, int padded, int lights) {
     const auto s = static_cast<std::size_t>(kind.samples), k = static_cast<std::size_t>(kind.vectors);
     const auto w = static_cast<std::size_t>(width), v = static_cast<std::size_t>(padded);
@@ -87,7 +60,7 @@ struct Task {
     normal.reserve(refreshScratch(kind.samples, kind.vectors));
     op.reserve(k * s * kBlock);
     errors.reserve(n * kBlock);
-    shares.reserve(n);
+    shares.reserve(n, n);
     sums.reserve((w * s + 1) * kBlock);
     rows.reserve(k * v * kBlock);
     coefficients.reserve(k * v * kBlock);
@@ -103,7 +76,7 @@ struct Task {
   }
 
   std::size_t bytes() const noexcept {
-    std::size_t sum = sizeof(*this) + normal.bytes() + shares.bytes() + ahead.bytes();
+    std::size_t sum = sizeof(*this) + normal.bytes() + shares.bytes() + ahead.bytes() + tree.bytes();
     for (const AlignedArray<float>* a :
          {&positions, &x, &y, &z, &footprints, &op, &errors, &sums, &rows, &coefficients, &shown})
       sum += a->bytes();

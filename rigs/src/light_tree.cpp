@@ -1,6 +1,7 @@
 #include "light_tree_state.h"
 
 #include <algorithm>
+#include <atomic>
 
 namespace rigel {
 namespace {
@@ -122,6 +123,11 @@ void makeDue(State& s, std::uint32_t tree, std::size_t node) noexcept {
   s.due.push_back({tree, static_cast<std::uint32_t>(node)});
 }
 
+std::uint64_t newVersion() noexcept {
+  static std::atomic<std::uint64_t> last{0};
+  return ++last;
+}
+
 /// Every due node, its parents later than itself.
 void gatherDue(State& s, const LightSet& lights) noexcept {
   for (std::size_t i = 0; i < s.due.size(); ++i) {
@@ -141,7 +147,7 @@ LightTree::~LightTree() = default;
 
 void LightTree::build(const LightSet& lights) {
   State& s = *state_;
-  s.counts = countsOf(lights);
+  s.counts.fill(State::kNotBuilt);
   listLights(s, lights);
   sortByKey(s);
   makeTrees(s);
@@ -154,6 +160,8 @@ void LightTree::build(const LightSet& lights) {
   s.size = 0;
   gatherAll(s, lights);
   s.builtSize = s.size;
+  s.counts = countsOf(lights);
+  s.version = newVersion();
 }
 
 bool LightTree::refit(const LightSet& lights) {
@@ -165,6 +173,7 @@ bool LightTree::refit(const LightSet& lights) {
   }
   for (const LoneLight& lone : s.lone) refitLone(s, lights, lone.light);
   gatherAll(s, lights);
+  s.version = newVersion();
   return true;
 }
 
@@ -188,6 +197,7 @@ bool LightTree::refit(const LightSet& lights, std::span<const std::uint32_t> mov
     makeDue(s, static_cast<std::uint32_t>(at), tree.leaves() + leaf);
   }
   gatherDue(s, lights);
+  s.version = newVersion();
   return true;
 }
 
@@ -198,6 +208,19 @@ void LightTree::update(const LightSet& lights) {
 float LightTree::growth() const noexcept {
   const State& s = *state_;
   return s.builtSize > 0 ? static_cast<float>(s.size / s.builtSize) : s.size > 0 ? kNoRange : 1.0f;
+}
+
+std::uint64_t LightTree::version() const noexcept { return state_->version; }
+
+LightTree::Groups LightTree::groups() const noexcept {
+  Groups groups;
+  const auto add = [&](std::uint32_t mask) {
+    groups.any |= mask;
+    groups.all &= mask;
+  };
+  for (const Tree& tree : state_->trees) add(tree.groups);
+  for (const LoneLight& light : state_->lone) add(light.groups);
+  return groups;
 }
 
 std::span<const SphereLight> LightTree::clusters() const noexcept { return state_->clusters; }

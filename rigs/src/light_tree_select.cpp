@@ -286,6 +286,7 @@ void LightTree::select(const LightQuery& query, LightSelection& out) const {
   out.distant.clear();
   out.bound = out.worst = out.reference = out.mean = 0;
   out.visited = 0;
+  if (state_->counts[0] == LightTreeState::kNotBuilt) return;
   Query(*state_, query, out).run();
 }
 

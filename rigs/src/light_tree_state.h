@@ -89,9 +89,10 @@ struct detail::LightTreeState {
   std::size_t firstDimmedLight = 0, firstDimmedNode = 0;
   std::vector<LightModulation> lightModulation, nodeModulation;
 
-  std::array<int, 5> counts{};        // of the last build, per kind
+  std::array<int, 5> counts{};        // of the last build, per kind; kNotBuilt where memory has ended in it
   std::vector<std::uint32_t> slotOf;  // of each light, in `lights`; or in `lone`, with the highest bit set
   double size = 0, builtSize = 0;     // sum of the nodes' spreads
+  std::uint64_t version = 0;
 
   // Scratch of builds and refits.
   struct Key {
@@ -110,6 +111,7 @@ struct detail::LightTreeState {
   std::vector<std::uint8_t> marked;  // per node, whether it is due
 
   static constexpr std::uint32_t kLone = 0x80000000u;
+  static constexpr int kNotBuilt = -1;
 };
 
 /// What the tree wants to know of a light.

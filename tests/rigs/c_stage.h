@@ -23,6 +23,7 @@ struct CLights {
   std::vector<rigel_spot_light> spot;
   std::vector<rigel_sphere_light> sphere;
   std::vector<rigel_disk_light> disk;
+  std::uint32_t flags = 0;
 
   explicit CLights(const LightSet& lights, int shift = 0) {
     for (int i = 0; i < lights.size(); ++i)
@@ -39,7 +40,9 @@ struct CLights {
             sphere.data(),
             sphere.size(),
             disk.data(),
-            disk.size()};
+            disk.size(),
+            flags,
+            0};
   }
 
  private:
@@ -121,6 +124,7 @@ struct CStage {
   std::vector<rigel_half4> halves;
   std::vector<rigel_gpu_near_light> near;
   rigel_parallel_for parallel{};
+  float lightTarget = 0;
 
   explicit CStage(std::uint32_t bands = 3, std::uint32_t tasks = 1) {
     const rigel_crowd_desc desc{sizeof(rigel_crowd_desc), bands, tasks};
@@ -137,7 +141,8 @@ struct CStage {
     return character;
   }
   void set(const LightSet& set, int shift = 0) {
-    const CLights items(set, shift);
+    CLights items(set, shift);
+    if (lightTarget > 0) items.flags = RIGEL_LIGHTS_TREE;
     const rigel_lights_desc desc = items.desc();
     EXPECT_EQ(rigel_set_lights(lights.get(), &desc), RIGEL_OK) << rigel_get_last_error();
   }
@@ -162,6 +167,8 @@ struct CStage {
     desc.near_light_capacity = near.size();
     desc.parallel_for = parallel;
     desc.seconds = seconds;
+    desc.light_target = lightTarget;
+    desc.light_cell = 4;
     return desc;
   }
   rigel_frame_info frame(float seconds) {

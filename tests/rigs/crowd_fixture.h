@@ -2,6 +2,7 @@
 #pragma once
 
 #include <rigel/crowd.h>
+#include <rigel/light_tree.h>
 #include <rigel/near_far.h>
 
 #include <cmath>
@@ -87,6 +88,8 @@ struct Stage {
   std::vector<GpuHalf4> halves;
   std::vector<GpuNearLight> near;
   ParallelFor parallel;
+  LightTree tree;
+  CrowdTree asked{nullptr, 0};  // with a target, of `tree`
 
   explicit Stage(int tasks = 1) : crowd(tasks) {}
 
@@ -99,7 +102,12 @@ struct Stage {
   }
   CrowdStats frame(float seconds) {
     prepared.set(lights);
-    return crowd.frame({&lights, &prepared, ids}, seconds, {rigs, coefficients, halves, near}, parallel);
+    if (asked.target > 0) {
+      tree.update(lights);
+      for (const SphereLight& cluster : tree.clusters()) prepared.add(cluster);
+      asked.tree = &tree;
+    }
+    return crowd.frame({&lights, &prepared, ids, asked}, seconds, {rigs, coefficients, halves, near}, parallel);
   }
 
   const GpuRig& rig(CrowdId id) const { return rigs[static_cast<std::size_t>(crowd.result(id).rig)]; }
@@ -126,6 +134,26 @@ struct Stage {
     return sum;
   }
 };
+
+/// Weights of a character's near lights, per light, from what was packed for shaders.
+template <int B>
+std::vector<float> weightsOf(const Stage<B>& stage, CrowdId id) {
+  std::vector<float> weights(static_cast<std::size_t>(stage.lights.size()));
+  const CrowdResult result = stage.crowd.result(id);
+  for (int n = 0; n < result.nearCount; ++n) {
+    const GpuNearLight& near = stage.near[static_cast<std::size_t>(result.nearOffset + n)];
+    bool found = false;
+    for (int i = 0; i < stage.lights.size(); ++i) {
+      const GpuNearLight whole = stage.lights.visit(i, [](const auto& l) { return gpuNearLight(nearLight(l)); });
+      if (whole.position.x != near.position.x || whole.position.y != near.position.y || whole.kind != near.kind)
+        continue;
+      weights[static_cast<std::size_t>(i)] = near.colour.x / whole.colour.x;
+      found = true;
+    }
+    EXPECT_TRUE(found) << "near light " << n;
+  }
+  return weights;
+}
 
 template <int B>
 double distance(const RadianceSH<B>& a, const RadianceSH<B>& b) {

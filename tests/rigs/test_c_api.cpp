@@ -29,6 +29,7 @@ bool sameBits(const std::vector<A>& a, const std::vector<B>& b) {
 
 /// Two kinds in both interfaces, in the same frames.
 struct Twins {
+  float target = 0;  // with a tree where it is positive
   CBody body;
   Stage<3> cpp;
   CStage c{3, 3};
@@ -39,7 +40,9 @@ struct Twins {
   std::vector<CrowdId> ids;
   std::vector<rigel_character> characters;
 
-  Twins() {
+  explicit Twins(float lightTarget = 0) : target(lightTarget) {
+    cpp.asked = {nullptr, target, 4};
+    c.lightTarget = target;
     rigel_kind_desc rigid = body.desc("poly:4", true);
     rigid.near_slots = 3;
     rigid.tolerance = 0.01f;
@@ -89,6 +92,9 @@ struct Twins {
     EXPECT_EQ(static_cast<int>(info.visible), stats.visible);
     EXPECT_EQ(static_cast<int>(info.updated), stats.updated);
     EXPECT_EQ(static_cast<int>(info.unusable), stats.unusable);
+    EXPECT_EQ(info.lights, stats.lights);
+    EXPECT_EQ(info.clusters, stats.clusters);
+    EXPECT_EQ(info.merged, stats.merged);
     EXPECT_TRUE(sameBits(c.rigs, cpp.rigs));
     EXPECT_TRUE(sameBits(c.coefficients, cpp.coefficients));
     EXPECT_TRUE(sameBits(c.halves, cpp.halves));
@@ -104,8 +110,8 @@ struct Twins {
   }
 };
 
-TEST(CApi, GivesTheBitsOfCrowd) {
-  Twins twins;
+void compareTwins(float target) {
+  Twins twins(target);
   for (int i = 0; i < 30; ++i) twins.add(i % 3 == 2);
   twins.makeRoom();
   std::vector<std::vector<JointMatrix>> palettes(twins.ids.size());
@@ -137,6 +143,9 @@ TEST(CApi, GivesTheBitsOfCrowd) {
     EXPECT_EQ(bytes, twins.cpp.crowd.bytesPerCharacter(twins.numbers[k]));
   }
 }
+
+TEST(CApi, GivesTheBitsOfCrowd) { compareTwins(0); }
+TEST(CApi, GivesTheBitsOfCrowdWithATree) { compareTwins(0.2f); }
 
 TEST(CApi, HasCrowdsOfAllBands) {
   const CBody body;
@@ -330,7 +339,9 @@ TEST_F(CApiHardCases, FramesThatCannotBe) {
   expect(RIGEL_ERROR_CAPACITY, "near_lights is 5, 6", [](auto& d) { --d.near_light_capacity; });
   expect(RIGEL_ERROR_VALUE, "seconds", [](auto& d) { d.seconds = kNan; });
   expect(RIGEL_ERROR_VALUE, "seconds", [](auto& d) { d.seconds = -1; });
-  expect(RIGEL_ERROR_VALUE, "reserved", [](auto& d) { d.reserved = 1; });
+  expect(RIGEL_ERROR_VALUE, "light_target", [](auto& d) { d.light_target = kNan; });
+  expect(RIGEL_ERROR_VALUE, "light_target", [](auto& d) { d.light_target = -0.1f; });
+  expect(RIGEL_ERROR_VALUE, "RIGEL_LIGHTS_TREE", [](auto& d) { d.light_target = 0.1f; });
   rigel_frame_desc one = stage_.desc(0);
   one.halves = nullptr;
   one.half_capacity = 0;
@@ -446,7 +457,8 @@ TEST_F(CApiCallbacks, TheClockIsAskedAndErrorsAreTheThreadsOwn) {
   desc.clock = {[](void* context) { return ++*static_cast<std::uint64_t*>(context); }, &ticks};
   rigel_frame_info info = RIGEL_FRAME_INFO_INIT;
   EXPECT_EQ(rigel_light_crowd(stage2_.crowd.get(), &desc, &info), RIGEL_OK);
-  for (const std::uint64_t stage : info.ticks) EXPECT_EQ(stage, 3u);  // of three blocks
+  for (int stage = 0; stage < RIGEL_STAGE_COUNT; ++stage)
+    EXPECT_EQ(info.ticks[stage], stage == RIGEL_STAGE_SELECT ? 0u : 3u);  // of three blocks, without a tree
   EXPECT_EQ(rigel_remove_character(nullptr, {}), RIGEL_ERROR_NULL);
   const std::string here = rigel_get_last_error();
   std::thread([] { EXPECT_STREQ(rigel_get_last_error(), ""); }).join();

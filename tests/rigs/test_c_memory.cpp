@@ -121,7 +121,7 @@ TEST_F(CApiWithoutMemory, NothingIsMade) {
   EXPECT_GT(failures([&] { return rigel_create_crowd(&crowdDesc, &crowd); }, [&] { EXPECT_EQ(crowd, nullptr); }), 1);
   rigel_destroy_crowd(crowd);
   rigel_lights* lights = nullptr;
-  EXPECT_EQ(failures([&] { return rigel_create_lights(&lights); }, [&] { EXPECT_EQ(lights, nullptr); }), 1);
+  EXPECT_GT(failures([&] { return rigel_create_lights(&lights); }, [&] { EXPECT_EQ(lights, nullptr); }), 0);
   rigel_destroy_lights(lights);
 }
 

@@ -10,26 +10,6 @@
 namespace rigel::test {
 namespace {
 
-/// Weights of a character's near lights, per light, from what was packed for shaders.
-template <int B>
-std::vector<float> weightsOf(const Stage<B>& stage, CrowdId id) {
-  std::vector<float> weights(static_cast<std::size_t>(stage.lights.size()));
-  const CrowdResult result = stage.crowd.result(id);
-  for (int n = 0; n < result.nearCount; ++n) {
-    const GpuNearLight& near = stage.near[static_cast<std::size_t>(result.nearOffset + n)];
-    bool found = false;
-    for (int i = 0; i < stage.lights.size(); ++i) {
-      const GpuNearLight whole = stage.lights.visit(i, [](const auto& l) { return gpuNearLight(nearLight(l)); });
-      if (whole.position.x != near.position.x || whole.position.y != near.position.y || whole.kind != near.kind)
-        continue;
-      weights[static_cast<std::size_t>(i)] = near.colour.x / whole.colour.x;
-      found = true;
-    }
-    EXPECT_TRUE(found) << "near light " << n;
-  }
-  return weights;
-}
-
 // In units of what all lights give at the sample that has most of it. Projections agree within 1e-6 of it; the operator
 // and the polynomial magnify that a little. Worst seen: 1.4e-6.
 constexpr double kAgreement = 5e-6;

@@ -222,5 +222,46 @@ TEST(RigAllocation, ACrowdAllocatesNothingHoweverLongItRuns) {
   EXPECT_LT(stage.crowd.bytesPerCharacter(kinds[0]), 1700u);
 }
 
+// The same among lamps in a tree, some of which move and are dark now and then, with scratch for each task.
+TEST(RigAllocation, ACrowdAmongManyLightsAllocatesNothing) {
+  const BendingBody body;
+  Stage<3> stage(2);
+  stage.asked = {nullptr, 0.1f, 6};
+  const int kind = stage.crowd.addKind(kindOf("poly:6", body.shape()));
+  std::vector<CrowdId> ids;
+  for (int c = 0; c < 40; ++c) ids.push_back(stage.crowd.add(kind));
+  stage.makeRoom();
+  const auto palette = BendingBody::palette(0.3f);
+  const int frames = std::getenv("RIGEL_FULL") != nullptr ? 10000 : 200;
+  long counted = 0;
+  std::size_t bytes = 0;
+  for (int f = 0; f < frames; ++f) {
+    const auto t = static_cast<float>(f % 300);
+    stage.lights.clear();
+    stage.ids.clear();
+    for (int i = 0; i < 900; ++i) {
+      const float x = 8 * static_cast<float>(i % 30 - 15), z = 8 * static_cast<float>(i / 30 - 15);
+      const float bright = f > 0 && (i + f) % 100 == 0 ? 0.0f : 9.0f;
+      stage.lights.add(PointLight{{x + (i % 9 == 0 ? 0.02f * t : 0.0f), 3, z}, {bright, bright, bright}});
+      stage.ids.push_back(static_cast<std::uint32_t>(i) + 7);
+    }
+    for (std::size_t c = 0; c < ids.size(); ++c) {
+      CrowdInput& input = stage.crowd.input(ids[c]);
+      input.palette = palette;
+      input.worldFromRig.origin = {3 * static_cast<float>(c % 8) + 0.1f * t, 1, 5 * static_cast<float>(c / 8)};
+      input.groups = c % 5 == 0 ? 1 : kAllLightGroups;
+      input.interval = 1 + static_cast<int>(c) % 3;
+    }
+    const long before = allocations;
+    stage.frame(1.0f / 60);
+    if (f == 0) bytes = stage.crowd.bytes();
+    if (f > 0) counted += allocations - before;
+  }
+  EXPECT_EQ(counted, 0);
+  EXPECT_EQ(stage.crowd.bytes(), bytes);
+  RecordProperty("scratch", std::to_string(bytes));
+  EXPECT_LT(bytes, 4u << 20);
+}
+
 }  // namespace
 }  // namespace rigel::test

@@ -8,6 +8,7 @@
 //
 //   pose      anchors on the palette, into the world; the pose's box
 //   refresh   the least-squares operator P of the pose (rig.h)
+//   select    with a light tree: what lights the cells in which the block is
 //   rank      error of leaving each light in the rig, by a formula of a few flops (below); near weights; shares
 //   project   F, project_batch.h
 //   fit       c = P F
@@ -24,6 +25,7 @@
 #pragma once
 
 #include <rigel/gpu_rig.h>
+#include <rigel/light_tree.h>
 #include <rigel/project_batch.h>
 #include <rigel/rig_light.h>
 
@@ -108,11 +110,22 @@ struct CrowdResult {
   int nearCount = 0;
 };
 
+/// Where there are many lights: what a frame asks a tree over them. Characters that are in one cell of a grid over the
+/// world share one question, asked of all of the cell, and so what they get depends on where they are and on the lights
+/// alone, not on their neighbours. Between cells, over 1/8 of their size, shares of both make what is seen continuous.
+struct CrowdTree {
+  const LightTree* tree = nullptr;  // of the same lights, as they are; null: all lights one by one
+  float target = 0.1f;              // LightQuery::target: the share of the light that may be dropped or merged at most
+  float cell = 8;                   // [m] size of the cells; characters with a radius above a quarter of it take larger
+  float wrap = 0;                   // of the materials
+};
+
 /// A frame's lights.
 struct CrowdLights {
   const LightSet* lights = nullptr;
-  const PreparedLights* prepared = nullptr;  // of the same lights
+  const PreparedLights* prepared = nullptr;  // of the same lights; with a tree, its clusters added
   std::span<const std::uint32_t> ids;        // a light's name from frame to frame, each once; empty: its index
+  CrowdTree tree{};
 };
 
 /// The caller's memory; sizes by Crowd::outputBound. Coefficients in float32, in half floats over GpuRig::scale, or
@@ -137,8 +150,8 @@ struct ParallelFor {
 };
 
 /// Stages that are timed apart.
-enum class CrowdStage : std::uint8_t { pose, refresh, rank, project, fit, pack };
-inline constexpr int kCrowdStages = 6;
+enum class CrowdStage : std::uint8_t { pose, refresh, rank, project, fit, pack, select };
+inline constexpr int kCrowdStages = 7;
 
 /// For whoever times stages: a clock that any thread may ask. Null: no time is taken.
 struct CrowdProbe {
@@ -152,6 +165,11 @@ struct CrowdStats {
   int updated = 0;                                  // fitted anew
   int unusable = 0;                                 // of these, without a finite pose: they are dark for the frame
   std::array<std::uint64_t, kCrowdStages> ticks{};  // of the probe's clock, summed over threads
+  // Of those updated, summed; whoever is between cells has the lights of all of them.
+  std::uint64_t lights = 0;    // taken one by one
+  std::uint64_t clusters = 0;  // taken in place of others
+  float merged = 0;            // largest share of anybody's light that clusters and slopes may be wrong by; a bound
+  std::uint64_t asked = 0;     // of the tree; more where more tasks ask for themselves
 };
 
 /// Update rates. A character of interval n is updated in one frame of n (different ones in different frames) and shows,

@@ -63,7 +63,8 @@ class LightTree {
   LightTree& operator=(LightTree&&) noexcept;
   ~LightTree();
 
-  /// Full build, O(n log n). Allocates only while the lights grow in number.
+  /// Full build, O(n log n). Allocates only while the lights grow in number; where that throws, nothing is selected
+  /// until the next build.
   void build(const LightSet& lights);
 
   /// For lights that moved, turned or changed their colour; their number, kinds, groups and whether they have a range
@@ -78,6 +79,15 @@ class LightTree {
 
   /// Sum of the clusters' sizes over that at the last build: how much worse than a fresh one the tree has become.
   float growth() const noexcept;
+
+  /// Another number after each build and refit, and of each tree; 0 before the first build.
+  std::uint64_t version() const noexcept;
+
+  /// Bits that the masks of lights have: any of them, and all of them (all bits where there are no lights).
+  struct Groups {
+    std::uint32_t any = 0, all = kAllLightGroups;
+  };
+  Groups groups() const noexcept;
 
   /// To be added to PreparedLights, in this order, after `set` of the same lights.
   std::span<const SphereLight> clusters() const noexcept;

@@ -203,6 +203,9 @@ typedef struct rigel_disk_light {
 #define RIGEL_DISK_LIGHT_INIT \
   { {0, 0, 0}, 0, {0, 0, 0}, {0, -1, 0}, 0, RIGEL_ALL_GROUPS, 0 }
 
+/// Flags of lights.
+#define RIGEL_LIGHTS_TREE 1u  // with a structure over them, for frames with a light_target (light_tree.h)
+
 /// An array may be NULL where its count is 0.
 typedef struct rigel_lights_desc {
   size_t size;
@@ -216,15 +219,18 @@ typedef struct rigel_lights_desc {
   size_t sphere_count;
   const rigel_disk_light* disk;
   size_t disk_count;
+  uint32_t flags;
+  uint32_t reserved;
 } rigel_lights_desc;
 #define RIGEL_LIGHTS_DESC_INIT \
-  { sizeof(rigel_lights_desc), NULL, 0, NULL, 0, NULL, 0, NULL, 0, NULL, 0 }
+  { sizeof(rigel_lights_desc), NULL, 0, NULL, 0, NULL, 0, NULL, 0, NULL, 0, 0, 0 }
 
 typedef struct rigel_lights rigel_lights;
 
 /// None yet.
 rigel_result rigel_create_lights(rigel_lights** lights);
-/// Replaces all of them by copies, for any number of crowds. Linear in the lights, but for ids that are not in order.
+/// Replaces all of them by copies, for any number of crowds. Linear in the lights, but for ids that are not in order,
+/// and for trees of lights that are more, fewer or of other kinds and groups than two calls before, or have moved far.
 rigel_result rigel_set_lights(rigel_lights* lights, const rigel_lights_desc* desc);
 void rigel_destroy_lights(rigel_lights* lights);
 
@@ -365,10 +371,14 @@ typedef struct rigel_frame_desc {
   rigel_parallel_for parallel_for;
   rigel_clock clock;
   float seconds;  ///< since the last frame; 0: a cut for all characters
-  uint32_t reserved;
+  /// Where there are many lights: the share of anybody's light that may be merged or dropped at most, 0 to 1; the
+  /// lights are to have a tree then. 0: all lights one by one.
+  float light_target;
+  float light_cell;  ///< [m] those who are in a cell of that size share what is asked of the tree (crowd.h, CrowdTree)
+  float light_wrap;  ///< of the materials, -1/4 to 1
 } rigel_frame_desc;
 #define RIGEL_FRAME_DESC_INIT \
-  { sizeof(rigel_frame_desc), NULL, NULL, 0, NULL, 0, NULL, 0, NULL, 0, {NULL, NULL}, {NULL, NULL}, 0, 0 }
+  { sizeof(rigel_frame_desc), NULL, NULL, 0, NULL, 0, NULL, 0, NULL, 0, {NULL, NULL}, {NULL, NULL}, 0, 0, 8, 0 }
 
 /// Stages of rigel_frame_info::ticks.
 enum {
@@ -378,6 +388,7 @@ enum {
   RIGEL_STAGE_PROJECT,
   RIGEL_STAGE_FIT,
   RIGEL_STAGE_PACK,
+  RIGEL_STAGE_SELECT,  // by a tree, between refresh and rank
   RIGEL_STAGE_COUNT
 };
 
@@ -386,17 +397,16 @@ typedef struct rigel_frame_info {
   uint32_t visible;   ///< characters written
   uint32_t updated;   ///< fitted anew; the others go on from one update to the next
   uint32_t unusable;  ///< of these, with a palette that is not finite: dark until it is
-  uint32_t reserved;
+  float merged;       ///< with a tree, largest share of anybody's light that merged lights may be wrong by: a bound
   uint64_t ticks[RIGEL_STAGE_COUNT];  ///< of the clock, summed over threads
+  uint64_t lights, clusters;          ///< taken one by one, and in place of others, summed over those updated
 } rigel_frame_info;
-#define RIGEL_FRAME_INFO_INIT                                  \
-  {                                                            \
-    sizeof(rigel_frame_info), 0, 0, 0, 0, { 0, 0, 0, 0, 0, 0 } \
-  }
+#define RIGEL_FRAME_INFO_INIT \
+  { sizeof(rigel_frame_info), 0, 0, 0, 0, {0, 0, 0, 0, 0, 0, 0}, 0, 0 }
 
-/// Lights all visible characters: the same bits on any number of threads. Linear in characters x lights. `info` may be
-/// NULL. After RIGEL_ERROR_CALLBACK (`run` left tasks out, or threw) what is in the buffers is not to be used, and the
-/// next frame is a cut.
+/// Lights all visible characters: the same bits on any number of threads. Linear in characters x lights, but for those
+/// in a tree. `info` may be NULL. After RIGEL_ERROR_CALLBACK (`run` left tasks out, or threw) what is in the buffers is
+/// not to be used, and the next frame is a cut.
 rigel_result rigel_light_crowd(rigel_crowd* crowd, const rigel_frame_desc* desc, rigel_frame_info* info);
 
 /// Where a character is in the last frame's buffers.
