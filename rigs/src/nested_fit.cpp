@@ -1,5 +1,7 @@
 #include "nested_fit.h"
 
+#include "row_kernels.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,85 +16,92 @@ constexpr double kDamping = 1e-5;
 NestedFit::NestedFit(int points, int functions)
     : points_(points),
       functions_(functions),
-      basis_(static_cast<std::size_t>(points) * functions),
+      phi_(static_cast<std::size_t>(points) * functions),
+      basis_(phi_.size()),
       toGiven_(static_cast<std::size_t>(functions) * functions),
-      orthonormal_(basis_.size()),
+      steps_(phi_.size()),
+      analysis_(static_cast<std::size_t>(functions + points) * points),
       given_(toGiven_.size()),
       damping_(functions) {}
 
 std::span<double> NestedFit::row(int point) noexcept {
-  return {&basis_[static_cast<std::size_t>(point) * functions_], static_cast<std::size_t>(functions_)};
+  return {&phi_[static_cast<std::size_t>(point) * functions_], static_cast<std::size_t>(functions_)};
 }
 
 void NestedFit::factor(std::span<const float> shares) noexcept {
-  const int n = functions_;
-  const auto at = [&](int point, int k) -> double& { return basis_[static_cast<std::size_t>(point) * n + k]; };
-  const auto given = [&](int k, int j) -> double& { return toGiven_[static_cast<std::size_t>(k) * n + j]; };
-  const auto columnNorm = [&](int k) {
-    double sum = 0;
-    for (int s = 0; s < points_; ++s) sum += at(s, k) * at(s, k);
-    return std::sqrt(sum);
-  };
   for (int s = 0; s < points_; ++s) {
     const double root = std::sqrt(static_cast<double>(shares[s]));
-    for (int k = 0; k < n; ++k) at(s, k) *= root;
+    const auto phi = row(s);
+    for (int k = 0; k < functions_; ++k) function(k)[s] = phi[k] * root;
   }
+  orthonormalise();
+  joinSteps();
+  for (int j = 0; j < functions_; ++j) {
+    // Back from coefficients that are scaled to the energy they take (`analyse`).
+    const auto d = static_cast<double>(damping_[j]);
+    const double scale = std::sqrt(d / (2 - d));
+    for (int k = 0; k < functions_; ++k)
+      given_[static_cast<std::size_t>(k) * functions_ + j] = static_cast<float>(given(j)[k] * scale);
+  }
+}
+
+void NestedFit::orthonormalise() noexcept {
+  const std::size_t count = points_;
   std::ranges::fill(toGiven_, 0.0);
-  for (int k = 0; k < n; ++k) {
-    given(k, k) = 1;
-    const double norm = columnNorm(k);
+  for (int k = 0; k < functions_; ++k) {
+    double* own = function(k);
+    given(k)[k] = 1;
+    const double norm = std::sqrt(rowkernels::product(own, own, count));
     // Twice is enough: what rounding leaves after the first pass is taken out by the second.
     for (int pass = 0; pass < 2; ++pass) {
       for (int j = 0; j < k; ++j) {
-        double along = 0;
-        for (int s = 0; s < points_; ++s) along += at(s, j) * at(s, k);
-        along *= static_cast<double>(damping_[j]);
-        for (int s = 0; s < points_; ++s) at(s, k) -= along * at(s, j);
-        for (int i = 0; i <= j; ++i) given(i, k) -= along * given(i, j);
+        const double along = static_cast<double>(damping_[j]) * rowkernels::product(function(j), own, count);
+        rowkernels::addScaled(-along, function(j), count, own);
+        rowkernels::addScaled(-along, given(j), static_cast<std::size_t>(j) + 1, given(k));
       }
     }
-    const double rest = columnNorm(k);
-    const double own = norm > 0 ? rest / norm : 0;
-    damping_[k] = static_cast<float>(own * own / (own * own + kDamping));
+    const double rest = std::sqrt(rowkernels::product(own, own, count));
+    const double share = norm > 0 ? rest / norm : 0;
+    damping_[k] = static_cast<float>(share * share / (share * share + kDamping));
     // A column that is nothing but rounding has no direction.
-    const double scale = own > 1e-9 ? 1 / rest : 0;
-    for (int s = 0; s < points_; ++s) at(s, k) *= scale;
-    for (int i = 0; i <= k; ++i) given(i, k) *= scale;
+    const double scale = share > 1e-9 ? 1 / rest : 0;
+    for (int s = 0; s < points_; ++s) own[s] *= scale;
+    for (int i = 0; i <= k; ++i) given(k)[i] *= scale;
   }
-  for (int k = 0; k < n; ++k) {
-    for (int s = 0; s < points_; ++s)
-      orthonormal_[static_cast<std::size_t>(k) * points_ + s] = static_cast<float>(at(s, k));
-    // Back from coefficients that are scaled to the energy they take (`analyse`).
-    for (int j = 0; j < n; ++j) {
-      const auto d = static_cast<double>(damping_[j]);
-      given_[static_cast<std::size_t>(k) * n + j] = static_cast<float>(given(k, j) * std::sqrt(d / (2 - d)));
+}
+
+/// The analysis takes function after function from the values r: a_k = q_k.r, r -= d_k a_k q_k. Only what the damped
+/// function takes: the direction of one that is nothing but rounding is random, and must not hide its part of the light
+/// from the functions after it. Of the values before the first step that is a_k = u_k.v, with
+///   u_k = q_k - sum_{j<k} d_j (q_j.q_k) u_j, and r = v - sum_k d_k q_k (u_k.v).
+void NestedFit::joinSteps() noexcept {
+  const std::size_t count = points_;
+  float* left = &analysis_[static_cast<std::size_t>(functions_) * count];
+  std::fill_n(left, count * count, 0.0f);
+  for (std::size_t s = 0; s < count; ++s) left[s * count + s] = 1;
+  for (int k = 0; k < functions_; ++k) {
+    double* step = &steps_[static_cast<std::size_t>(k) * count];
+    std::copy_n(function(k), count, step);
+    for (int j = 0; j < k; ++j) {
+      const double along = static_cast<double>(damping_[j]) * rowkernels::product(function(j), function(k), count);
+      rowkernels::addScaled(-along, &steps_[static_cast<std::size_t>(j) * count], count, step);
     }
+    const float energy = std::sqrt(damping_[k] * (2 - damping_[k]));
+    float* row = &analysis_[static_cast<std::size_t>(k) * count];
+    for (std::size_t s = 0; s < count; ++s) row[s] = static_cast<float>(step[s]);
+    for (std::size_t s = 0; s < count; ++s)
+      rowkernels::addScaled(-damping_[k] * static_cast<float>(function(k)[s]), row, count, left + s * count);
+    for (std::size_t s = 0; s < count; ++s) row[s] *= energy;
   }
 }
 
 void NestedFit::analyse(const float* values, int width, float* coefficients, float* residuals) const noexcept {
-  std::copy_n(values, static_cast<std::size_t>(points_) * width, residuals);
-  for (int k = 0; k < functions_; ++k) {
-    float* a = coefficients + static_cast<std::size_t>(k) * width;
-    const float* q = &orthonormal_[static_cast<std::size_t>(k) * points_];
-    std::fill_n(a, width, 0.0f);
-    for (int s = 0; s < points_; ++s) {
-      const float* r = residuals + static_cast<std::size_t>(s) * width;
-      for (int i = 0; i < width; ++i) a[i] += q[s] * r[i];
-    }
-    // Only what the damped function takes: the direction of one that is nothing but rounding is random, and must not
-    // hide its part of the light from the functions after it.
-    for (int s = 0; s < points_; ++s) {
-      float* r = residuals + static_cast<std::size_t>(s) * width;
-      const float taken = damping_[k] * q[s];
-      for (int i = 0; i < width; ++i) r[i] -= taken * a[i];
-    }
-    const float energy = std::sqrt(damping_[k] * (2 - damping_[k]));
-    for (int i = 0; i < width; ++i) a[i] *= energy;
-  }
+  const std::size_t functions = functions_, points = points_;
+  rowkernels::multiply(analysis_.data(), functions, points, values, width, coefficients);
+  rowkernels::multiply(&analysis_[functions * points], points, points, values, width, residuals);
 }
 
-void NestedFit::synthesise(const float* coefficients, int width, std::span<const float> weights,
+void NestedFit::synthesise(const float* coefficients, int stride, int width, std::span<const float> weights,
                            float* out) const noexcept {
   const int count = static_cast<int>(weights.size());
   for (int k = 0; k < count; ++k) {
@@ -100,7 +109,7 @@ void NestedFit::synthesise(const float* coefficients, int width, std::span<const
     std::fill_n(c, width, 0.0f);
     for (int j = k; j < count; ++j) {
       const float g = given_[static_cast<std::size_t>(k) * functions_ + j] * weights[j];
-      const float* a = coefficients + static_cast<std::size_t>(j) * width;
+      const float* a = coefficients + static_cast<std::size_t>(j) * stride;
       for (int i = 0; i < width; ++i) c[i] += g * a[i];
     }
   }

@@ -28,19 +28,28 @@ class NestedFit {
   /// values. A damped function takes its share of the energy and leaves the rest.
   void analyse(const float* values, int width, float* coefficients, float* residuals) const noexcept;
 
-  /// Coefficients of the first `count` given functions for orthonormal coefficients times `weights`. `out` has
-  /// count x width floats.
-  void synthesise(const float* coefficients, int width, std::span<const float> weights, float* out) const noexcept;
+  /// Coefficients of the first `count` given functions for orthonormal coefficients times `weights`. Rows of
+  /// `coefficients` are `stride` floats apart; `out` has count x width floats.
+  void synthesise(const float* coefficients, int stride, int width, std::span<const float> weights,
+                  float* out) const noexcept;
 
   /// In [0, 1]: how much of its coefficient each orthonormal function takes.
   std::span<const float> damping() const noexcept { return damping_; }
 
  private:
   int points_, functions_;
-  std::vector<double> basis_;       // points x functions, row major: phi, then orthonormal times sqrt(share)
-  std::vector<double> toGiven_;     // functions x functions: orthonormal j is sum_k toGiven[k][j] phi_k, upper triangle
-  std::vector<float> orthonormal_;  // basis_ in float, function major: functions x points
-  std::vector<float> given_;        // toGiven_ times damping, in float
+  double* function(int k) noexcept { return &basis_[static_cast<std::size_t>(k) * points_]; }
+  double* given(int j) noexcept { return &toGiven_[static_cast<std::size_t>(j) * functions_]; }
+  void orthonormalise() noexcept;
+  void joinSteps() noexcept;
+
+  std::vector<double> phi_;      // points x functions
+  std::vector<double> basis_;    // functions x points: phi, then orthonormal, times sqrt(share)
+  std::vector<double> toGiven_;  // functions x functions: orthonormal j is sum_k toGiven[j][k] phi_k
+  std::vector<double> steps_;    // functions x points: what the steps before leave of each function
+  // Of the points' values: the coefficients and what is left of the values, (functions + points) x points.
+  std::vector<float> analysis_;
+  std::vector<float> given_;  // toGiven_ times damping, in float: of function k, for each orthonormal one
   std::vector<float> damping_;
 };
 

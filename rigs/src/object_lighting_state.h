@@ -72,12 +72,30 @@ struct ObjectLighting<B>::State {
 
   void setPose(const RigPose& pose, const RigFrame& worldFromRig) noexcept {
     frame = worldFromRig;
-    rig.setPose({pose.box, pose.anchors.first(rig.anchors().size())});
-    if (measured) check.setPose(rig, pose.anchors, worldFromRig);
+    // What moves as a whole keeps all that its pose alone decides.
+    const bool same = pose.box.lo == box.lo && pose.box.hi == box.hi && std::ranges::equal(pose.anchors, posedAnchors);
+    if (!(poseKnown && same)) {
+      box = pose.box;
+      posedAnchors.assign(pose.anchors.begin(), pose.anchors.end());
+      rig.setPose({pose.box, pose.anchors.first(rig.anchors().size())});
+      if (measured) check.setPose(rig, pose.anchors);
+      bounds.reset();
+    }
+    poseKnown = !rig.spec().falloff;  // which depends on the light as well
+    if (measured) check.place(pose.anchors, worldFromRig);
+  }
+
+  const LightBounds& boundsInFrame() noexcept {
+    if (!bounds || rig.spec().falloff || boundsWrap != options.wrap) {
+      boundsWrap = options.wrap;
+      bounds.emplace(rig, frame, boundsWrap);
+    }
+    bounds->place(frame);
+    return *bounds;
   }
 
   void boundLights(const LightSet& lights, float seconds, std::span<const std::uint32_t> ids) {
-    const LightBounds bounds(rig, frame, options.wrap);
+    const LightBounds& boundOf = boundsInFrame();
     const int count = lights.size();
     errors.resize(count);
     peaks.resize(count);
@@ -89,7 +107,7 @@ struct ObjectLighting<B>::State {
     for (int i = 0; i < count; ++i) {
       const auto id = ids.empty() ? static_cast<std::uint32_t>(i) : ids[i];
       lights.visit(i, [&](const auto& light) {
-        const LightBound bound = bounds(light);
+        const LightBound bound = boundOf(light);
         const float size = magnitude(colourOf(light));
         errors[i] = lighting::orNothing(bound.error * size);
         peaks[i] = lighting::orNothing(bound.peak * size);
@@ -305,8 +323,8 @@ struct ObjectLighting<B>::State {
     if (adaptive()) {
       tradeOff.coefficientWeights(farError, choice, coefficientWeights);
       active = limitCoefficients(cut, seconds);
-      check.nested()->synthesise(farError.field.data(), 3 * shCount(B), std::span(coefficientWeights).first(active),
-                                 coefficients[0].data());
+      check.nested()->synthesise(farError.field.data(), check.rows.width, 3 * shCount(B),
+                                 std::span(coefficientWeights).first(active), coefficients[0].data());
     } else {
       fitFar(farLights, {});
     }
@@ -360,6 +378,11 @@ struct ObjectLighting<B>::State {
   SurfaceCheck<B> check;
   bool measured = false;  // errors are, at the check's own anchors
   RigFrame frame;
+  bool poseKnown = false;  // box and anchors are those of rig and check
+  RigBox box;
+  std::vector<Vec3> posedAnchors;
+  std::optional<LightBounds> bounds;
+  float boundsWrap = 0;
   FaceContact faces;
   NearFar nearFar;
   TradeOff tradeOff;

@@ -39,12 +39,13 @@ SamplePlanner::SamplePlanner(const Rig& rig) noexcept : rig_(rig) {
 }
 
 bool SamplePlanner::watches(int i, int j, int k) const noexcept {
-  const Degrees wanted{static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(j), static_cast<std::uint8_t>(k)};
-  return std::find(watch_.begin(), watch_.begin() + watched_, wanted) != watch_.begin() + watched_;
+  if (std::min({i, j, k}) < 0 || std::max({i, j, k}) >= SamplePlan::kMaxDegree) return false;
+  return known_[(i * SamplePlan::kMaxDegree + j) * SamplePlan::kMaxDegree + k];
 }
 
 void SamplePlanner::watch(int i, int j, int k) noexcept {
   if (watched_ == kMaxWatched || std::max({i, j, k}) >= SamplePlan::kMaxDegree || watches(i, j, k)) return;
+  known_[(i * SamplePlan::kMaxDegree + j) * SamplePlan::kMaxDegree + k] = true;
   watch_[watched_++] = {static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(j), static_cast<std::uint8_t>(k)};
 }
 

@@ -5,6 +5,8 @@
 
 #include <rigel/light_bound.h>
 
+#include <bitset>
+
 namespace rigel {
 
 /// Reads the operator and the basis of a rig in its current pose.
@@ -18,6 +20,7 @@ class SamplePlanner {
  private:
   static constexpr int kMax = detail::SamplePlan::kMaxSamples;
   static constexpr int kMaxWatched = 96;
+  static constexpr int kMaxDegree = detail::SamplePlan::kMaxDegree;
   static constexpr int kLinear = 4;  // 1, x, y, z
   using Degrees = std::array<std::uint8_t, 3>;
   using Values = std::array<float, kMaxWatched>;
@@ -37,11 +40,12 @@ class SamplePlanner {
 
   const Rig& rig_;
   std::array<double, 3> centre_{}, inverseHalf_{};
-  int watched_ = 0;                                // products of Chebyshev polynomials whose error is measured
-  std::array<Degrees, kMaxWatched> watch_;         // their degrees: first those of the span, then some beyond
-  std::array<Degrees, RigBasis::kCapacity> span_;  // of an invquad rig's polynomial
-  int degree_ = 1;                                 // largest of them
-  Values defect_{};                                // largest error of the rig about each
+  int watched_ = 0;                         // products of Chebyshev polynomials whose error is measured
+  std::array<Degrees, kMaxWatched> watch_;  // their degrees: first those of the span, then some beyond
+  std::bitset<kMaxDegree * kMaxDegree * kMaxDegree> known_;  // what watch_ holds
+  std::array<Degrees, RigBasis::kCapacity> span_;            // of an invquad rig's polynomial
+  int degree_ = 1;                                           // largest of them
+  Values defect_{};                                          // largest error of the rig about each
   std::array<Values, kMax> atSample_;
   double lebesgue_ = 1;
   std::array<bool, 3> spanned_{};  // the functions x, y, z

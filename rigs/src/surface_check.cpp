@@ -59,11 +59,11 @@ SurfaceCheck<B>::SurfaceCheck(const Rig& rig, const RigShape& rest, float wrap, 
   }
   for (const Point& point : points_) shares_.push_back(point.share);
   if (rig.spec().adaptive) nested_.emplace(static_cast<int>(points_.size()), rig.shVectors());
-  values_.resize(points_.size() * kWidth);
+  values_.resize(points_.size() * kStride);
 
   rows.nested = nested_ ? nested_->functions() : 0;
   rows.residuals = static_cast<int>(points_.size());
-  rows.width = kWidth;
+  rows.width = kStride;
   if (own_ && !nested_)
     rows.inflation = inflation(static_cast<float>(points_.size()), static_cast<float>(rig.shVectors()));
   setUpScales(wrap, truncation);
@@ -94,7 +94,7 @@ void SurfaceCheck<B>::setUpScales(float wrap, bool truncation) {
   const auto squared = [&](int l) { return kPi * static_cast<double>(f[l]) * static_cast<double>(f[l]) / 4 / 3; };
   constexpr double kY00 = 0.28209479177387814;
   meanPerL00_ = static_cast<float>(kPi * kY00 / 3) * f[0];
-  rows.weight.resize(kWidth);
+  rows.weight.assign(kStride, 0.0f);
   for (int l = 0; l < B; ++l)
     for (int i = 3 * shCount(l); i < 3 * shCount(l + 1); ++i) rows.weight[i] = static_cast<float>(squared(l));
 
@@ -124,7 +124,7 @@ void SurfaceCheck<B>::setUpScales(float wrap, bool truncation) {
 }
 
 template <int B>
-void SurfaceCheck<B>::setPose(const Rig& rig, std::span<const Vec3> anchors, const RigFrame& worldFromRig) noexcept {
+void SurfaceCheck<B>::place(std::span<const Vec3> anchors, const RigFrame& worldFromRig) noexcept {
   frame_ = worldFromRig;
   const auto posed = anchors.last(points_.size());
   for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -133,7 +133,12 @@ void SurfaceCheck<B>::setPose(const Rig& rig, std::span<const Vec3> anchors, con
     y_[rowOf_[i]] = p.y;
     z_[rowOf_[i]] = p.z;
   }
+}
+
+template <int B>
+void SurfaceCheck<B>::setPose(const Rig& rig, std::span<const Vec3> anchors) noexcept {
   if (!nested_) return;
+  const auto posed = anchors.last(points_.size());
   RigBasis phi;
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const auto row = nested_->row(static_cast<int>(i));
@@ -163,7 +168,7 @@ void SurfaceCheck<B>::projectAtPoints(const LightSet& lights) {
 template <int B>
 float SurfaceCheck<B>::describe(const LightSet& lights, Rig& rig, int index) {
   float* block = rows.fields.data() + static_cast<std::size_t>(index) * rows.block();
-  float* residuals = block + static_cast<std::size_t>(rows.nested) * kWidth;
+  float* residuals = block + static_cast<std::size_t>(rows.nested) * kStride;
   float* truncated = rows.truncation.data() + static_cast<std::size_t>(index) * rows.truncated;
   projectAtPoints(lights);
   for (std::size_t s = 0; s < whole_; ++s) {
@@ -176,10 +181,10 @@ float SurfaceCheck<B>::describe(const LightSet& lights, Rig& rig, int index) {
     const float* from = sums_.data() + rowOf_[s];
     mean += points_[s].share * (from[0] + from[points_.size()] + from[2 * points_.size()]);
     const float root = std::sqrt(points_[s].share);
-    for (std::size_t i = 0; i < kWidth; ++i) values_[s * kWidth + i] = root * from[i * points_.size()];
+    for (std::size_t i = 0; i < kWidth; ++i) values_[s * kStride + i] = root * from[i * points_.size()];
   }
   if (nested_) {
-    nested_->analyse(values_.data(), kWidth, block, residuals);
+    nested_->analyse(values_.data(), kStride, block, residuals);
   } else {
     subtractRig(rig, residuals);
   }
@@ -196,7 +201,7 @@ void SurfaceCheck<B>::subtractRig(Rig& rig, float* residuals) {
   for (std::size_t s = 0; s < points_.size(); ++s) {
     const RadianceSH<B> sh = evaluateRig<B>(rig, coefficients_, frame_.inversePoint(points_[s].position));
     const float root = std::sqrt(points_[s].share);
-    for (int i = 0; i < kWidth; ++i) residuals[s * kWidth + i] = values_[s * kWidth + i] - root * sh.data()[i];
+    for (int i = 0; i < kWidth; ++i) residuals[s * kStride + i] = values_[s * kStride + i] - root * sh.data()[i];
   }
 }
 

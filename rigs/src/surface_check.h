@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "nested_fit.h"
+#include "row_kernels.h"
 #include "trade_off.h"
 
 namespace rigel {
@@ -23,7 +24,9 @@ class SurfaceCheck {
   /// Indices into RigShape::surface of the points that setPose wants, after the rig's own.
   std::span<const int> extraAnchors() const noexcept { return extraAnchors_; }
   /// `rig` is in the pose already; `anchors` are its own, then the extra ones, in the rig frame.
-  void setPose(const Rig& rig, std::span<const Vec3> anchors, const RigFrame& worldFromRig) noexcept;
+  void setPose(const Rig& rig, std::span<const Vec3> anchors) noexcept;
+  /// The pose in the world; after setPose.
+  void place(std::span<const Vec3> anchors, const RigFrame& worldFromRig) noexcept;
 
   /// Room for so many lights at once.
   void reserve(int lights);
@@ -54,6 +57,7 @@ class SurfaceCheck {
 
  private:
   static constexpr int kWidth = 3 * shCount(B);
+  static constexpr int kStride = static_cast<int>(rowkernels::padded(kWidth));  // zeros beyond kWidth
   static constexpr int kFirstTruncated = B < kMaxBands ? B : kMaxBands - 1;
   static constexpr int kTruncatedWidth = 3 * (shCount(kMaxBands) - shCount(kFirstTruncated));
 
@@ -78,7 +82,7 @@ class SurfaceCheck {
   RigFrame frame_;
   float meanPerL00_ = 0;
   std::vector<float> truncationScale_;
-  std::vector<float> values_;                  // SH times sqrt(share): points x width
+  std::vector<float> values_;                  // SH times sqrt(share): points x stride
   std::vector<float> x_, y_, z_, footprints_;  // of the points, those with all bands first
   std::vector<std::size_t> rowOf_;             // of each point among these
   std::size_t whole_ = 0;                      // points with all bands

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numeric>
 
+#include "row_kernels.h"
 #include "weights.h"
 
 namespace rigel {
@@ -32,19 +34,7 @@ constexpr float kLeastTarget = 1e-12f;
 /// = 0) so that the count is continuous and never too low.
 float active(float x) noexcept { return std::clamp(1 + x / kActivation, 0.0f, 1.0f); }
 
-float energy(std::span<const float> rows, std::span<const float> weight) noexcept {
-  float sum = 0;
-  const std::size_t width = weight.size();
-  for (std::size_t r = 0; r < rows.size(); r += width)
-    for (std::size_t i = 0; i < width; ++i) sum += weight[i] * rows[r + i] * rows[r + i];
-  return sum;
-}
-
-float squares(std::span<const float> values) noexcept {
-  float sum = 0;
-  for (float v : values) sum += v * v;
-  return sum;
-}
+float squares(std::span<const float> values) noexcept { return rowkernels::sumOfSquares(values.data(), values.size()); }
 
 void beginFar(const LightRows& rows, FarError& out) {
   const auto last = [](const std::vector<float>& of, std::size_t size) {
@@ -58,7 +48,7 @@ void beginFar(const LightRows& rows, FarError& out) {
 template <class Share>
 void addFar(const LightRows& rows, Share shareOf, FarError& out) {
   const auto add = [](float share, const float* from, std::vector<float>& into) {
-    for (std::size_t j = 0; j < into.size(); ++j) into[j] += share * from[j];
+    rowkernels::addScaled(share, from, into.size(), into.data());
   };
   for (int i = 0; i < rows.lights; ++i) {
     const float share = shareOf(i);
@@ -115,20 +105,20 @@ void TradeOff::farError(const LightRows& rows, std::span<const float> damping, s
 /// Errors of the sums.
 void TradeOff::finishFar(const LightRows& rows, std::span<const float> damping, std::span<const float> weights,
                          FarError& out) {
-  const std::size_t width = rows.width;
-  const auto row = [&](int k) { return std::span(out.field).subspan(static_cast<std::size_t>(k) * width, width); };
-  float rest = energy(std::span(out.field).subspan(rows.nested * width), rows.weight);
+  out.energy.resize(rows.rows());
+  rowkernels::energies(out.field.data(), rows.rows(), rows.weight.data(), rows.width, out.energy.data());
+  float rest = std::accumulate(out.energy.begin() + rows.nested, out.energy.end(), 0.0f);
   out.beyond.resize(rows.nested + 1);
   const auto points = static_cast<float>(rows.residuals);
   out.excess = rows.excess[rows.lights];
   for (int i = 0; i < rows.lights; ++i) out.excess += (1 - weights[i]) * (1 - weights[i]) * rows.excess[i];
   out.beyond[rows.nested] = rows.nested > 0 ? rest : rest * rows.inflation;
-  for (int k = rows.nested - 1; k >= 0; --k) out.beyond[k] = rest += energy(row(k), rows.weight);
+  for (int k = rows.nested - 1; k >= 0; --k) out.beyond[k] = rest += out.energy[k];
   if (rows.nested > 0) {
     for (int k = 0; k < rows.nested; ++k) {
       const float undamped = 1 - damping[k];
       // What damping keeps out of coefficient k stays wrong when it is kept.
-      const float kept = undamped * undamped * energy(row(k), rows.weight);
+      const float kept = undamped * undamped * out.energy[k];
       for (int j = k + 1; j <= rows.nested; ++j) out.beyond[j] += kept;
     }
     for (int j = 0; j <= rows.nested; ++j) out.beyond[j] *= inflation(points, static_cast<float>(j));
@@ -154,8 +144,10 @@ void TradeOff::build(const LightRows& rows, std::span<const float> damping, int 
   const int reference = std::min(kReferenceTerms, rows.nested);
   error_.resize(rows.lights);
   for (int i = 0; i < rows.lights; ++i) {
-    const std::span<const float> field(rows.fields.data() + static_cast<std::size_t>(i) * rows.block(), rows.block());
-    float square = energy(field.subspan(static_cast<std::size_t>(reference) * rows.width), rows.weight);
+    const float* field = rows.fields.data() + static_cast<std::size_t>(i) * rows.block();
+    scratch_.energy.resize(rows.rows());
+    rowkernels::energies(field, rows.rows(), rows.weight.data(), rows.width, scratch_.energy.data());
+    float square = std::accumulate(scratch_.energy.begin() + reference, scratch_.energy.end(), 0.0f);
     if (total)
       square += rows.tail * squares({rows.truncation.data() + static_cast<std::size_t>(i) * rows.truncated,
                                      static_cast<std::size_t>(rows.truncated)});
@@ -335,12 +327,11 @@ float TradeOff::readiness(const Choice& choice, std::span<const float> weights) 
 
 float TradeOff::spatialSquare(const LightRows& rows, const FarError& error, std::span<const float> damping,
                               std::span<const float> weights) {
-  const std::size_t width = rows.width;
-  float sum = energy(std::span(error.field).subspan(rows.nested * width), rows.weight);
+  float sum = std::accumulate(error.energy.begin() + rows.nested, error.energy.end(), 0.0f);
   float used = 0;
   for (int k = 0; k < rows.nested; ++k) {
     const float lost = 1 - weights[k] * damping[k];
-    sum += lost * lost * energy(std::span(error.field).subspan(k * width, width), rows.weight);
+    sum += lost * lost * error.energy[k];
     used += weights[k];
   }
   return sum * (rows.nested > 0 ? inflation(static_cast<float>(rows.residuals), used) : rows.inflation) + error.excess;

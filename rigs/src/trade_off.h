@@ -48,6 +48,7 @@ struct FarError {
   float truncation = 0;       // of the SH bands
   float truncationHigh = 0;   // with the constant high band
   std::vector<float> field;   // the weighted rows themselves
+  std::vector<float> energy;  // of each of them
   std::vector<float> truncated;
 };
 

@@ -57,7 +57,7 @@ struct Problem {
     std::vector<float> weights(count, 1), out(count * kWidth);
     if (!damped)
       for (int j = 0; j < count; ++j) weights[j] = 1 / fit.damping()[j];
-    fit.synthesise(coefficients.data(), kWidth, weights, out.data());
+    fit.synthesise(coefficients.data(), kWidth, kWidth, weights, out.data());
     return out;
   }
 

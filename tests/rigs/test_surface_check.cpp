@@ -39,7 +39,8 @@ struct Checked {
     const std::vector<Vec3> own = posed;
     for (int i : check.extraAnchors()) posed.push_back(body.points[i]);
     rig.setPose({body.box, own});
-    check.setPose(rig, posed, {});
+    check.setPose(rig, posed);
+    check.place(posed, {});
     if (check.extraAnchors().empty()) {
       for (const RigSample& s : rig.samples()) {
         points.push_back(s.position);
@@ -148,7 +149,7 @@ TEST(SurfaceCheck, NestedRowsAreThoseOfTheFit) {
   ASSERT_EQ(error.beyond.size(), static_cast<std::size_t>(terms) + 1);
   std::vector<RadianceSH<3>> c(terms);
   const std::vector<float> ones(terms, 1.0f);
-  checked.check.nested()->synthesise(error.field.data(), 27, ones, c[0].data());
+  checked.check.nested()->synthesise(error.field.data(), checked.check.rows.width, 27, ones, c[0].data());
   double square = 0, all = 0;
   for (std::size_t s = 0; s < checked.points.size(); ++s) {
     const RadianceSH<3> sh = project<3>(lights, checked.points[s], checked.footprints[s]);

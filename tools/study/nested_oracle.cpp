@@ -61,7 +61,7 @@ NestedOracle::NestedOracle(const StudyFrame& frame, const Rig& rig, float wrap)
     for (int j = 1; j <= vectors_; ++j) {
       std::vector<float> only(j, 0);
       only[j - 1] = 1;
-      fit.synthesise(coefficients.data(), kWidth, only, given[0].data());
+      fit.synthesise(coefficients.data(), kWidth, kWidth, only, given[0].data());
       const float* before = &rig_[((j - 1) * lights_ + i) * row_];
       float* now = &rig_[(j * lights_ + i) * row_];
       for (std::size_t p = 0; p < frame.points.size(); ++p) {

@@ -111,6 +111,9 @@ class LightBounds {
   /// ball about the box's centre that holds the object, where one smaller than the box's own is known.
   LightBounds(const Rig& rig, const RigFrame& worldFromRig, float wrap = 0, float radius = kNoRange) noexcept;
 
+  /// The rig, in the same pose, is elsewhere.
+  void place(const RigFrame& worldFromRig) noexcept { worldFromRig_ = worldFromRig; }
+
   LightBound operator()(const DirectionalLight& light) const noexcept;
   LightBound operator()(const PointLight& light) const noexcept;
   LightBound operator()(const SpotLight& light) const noexcept;
