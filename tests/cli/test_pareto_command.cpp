@@ -21,11 +21,11 @@ Outcome pareto(const std::filesystem::path& out, std::vector<std::string> argume
   return runProgram(arguments);
 }
 
-const std::vector<std::string> kQuick{"sample:figure1", "--rig", "constant;gradient;auto", "--bands", "3"};
+const std::vector<std::string> kFewRigs{"sample:figure1", "--rig", "constant;gradient;auto", "--bands", "3"};
 
 TEST(ParetoCommand, PrintsTheFrontAndWritesItsFiles) {
   const TemporaryFolder folder;
-  const Outcome outcome = pareto(folder / "out", kQuick);
+  const Outcome outcome = pareto(folder / "out", kFewRigs);
   ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
   // Which rigs are on the front is a matter of times.
   EXPECT_THAT(outcome.out, ContainsRegex("\n--rig [^\n]* --bands 3 "));
@@ -37,7 +37,7 @@ TEST(ParetoCommand, PrintsTheFrontAndWritesItsFiles) {
 
 TEST(ParetoCommand, PrintsJson) {
   const TemporaryFolder folder;
-  std::vector<std::string> arguments = kQuick;
+  std::vector<std::string> arguments = kFewRigs;
   arguments.insert(arguments.end(), {"--json", "--wrap", "0.3"});
   const Outcome outcome = pareto(folder / "out", arguments);
   ASSERT_EQ(outcome.exitCode, 0) << outcome.err;

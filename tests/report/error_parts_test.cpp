@@ -155,7 +155,7 @@ class Switches {
 
 // Relative to the total square, of what is left without a cause. Criterion: 0.02. Worst measured 3.5e-6 (RIGEL_FULL=1),
 // rounding of colours that are split between near and far.
-constexpr double kTolerance = 2e-5;
+constexpr double kWithoutTolerance = 2e-5;
 // Of the light model's own square, where it is more than rounding that differs from one summation to another.
 constexpr double kLightModelTolerance = 0.02;
 
@@ -220,7 +220,7 @@ void check(const Case& what, int samples, int frames, WorstOf& worst) {
       for (const ErrorParts::Part& part : parts.parts) sum += part.square;
       EXPECT_NEAR(sum, parts.total, 1e-9 * parts.total) << place;
       EXPECT_NEAR(parts.total, square(rig.total.rms), 1e-5 * parts.total) << place;
-      EXPECT_NEAR(sums[r].shown / scale, parts.total, kTolerance * parts.total) << place;
+      EXPECT_NEAR(sums[r].shown / scale, parts.total, kWithoutTolerance * parts.total) << place;
       EXPECT_GE(parts.unclamped, parts.total) << place;
       EXPECT_GT(parts.total, 0) << place;
       for (std::size_t k = 0; k < kErrorCauses; ++k)
@@ -246,7 +246,7 @@ TEST(ErrorParts, AreWhatSwitchingACauseOffTakesAway) {
     check({scene, "constant;gradient;lattice:3x2x2;mixed:l3,g,c;poly:6;poly:12;invquad:6;auto"}, 512, 8, worst);
     check({scene, "lattice:2x2x2;poly:6", 4, 2, 0.3f}, 512, 4, worst);
   }
-  worst.without.expectWithin(kTolerance);
+  worst.without.expectWithin(kWithoutTolerance);
   worst.allBands.expectWithin(kAllBandsTolerance);
 }
 

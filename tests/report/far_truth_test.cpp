@@ -16,7 +16,7 @@ using namespace rigel::tools;
 
 /// The far lights' own set, projected at every point: the slow way. Both are sums of the same floats, taken in another
 /// order and precision: relative to the irradiance of all light at the point, and in W/m2 where that passes 0.
-constexpr double kTolerance = 1e-6;
+constexpr double kShareTolerance = 1e-6;
 
 struct Frame {
   RunOptions options;
@@ -66,7 +66,7 @@ TEST(FarTruth, IsTheIrradianceOfWhatIsFar) {
         frame.truth.project(lights, frame.surface, bands, all);
         for (std::size_t i = 0; i < all.size(); ++i)
           for (int c = 0; c < 3; ++c) {
-            EXPECT_NEAR(actual[i][c], expected[i][c], kTolerance * (1 + std::abs(static_cast<double>(all[i][c]))))
+            EXPECT_NEAR(actual[i][c], expected[i][c], kShareTolerance * (1 + std::abs(static_cast<double>(all[i][c]))))
                 << name << ", " << bands << " bands, round " << round;
             ++compared;
           }

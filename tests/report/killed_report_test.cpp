@@ -66,8 +66,6 @@ std::string textOf(const fs::path& file) {
   return text.str();
 }
 
-void put(const fs::path& file, const std::string& text) { std::ofstream(file, std::ios::binary) << text; }
-
 std::string pictureNamed(char letter) { return std::string("01-car-frame0001-") + letter + ".png"; }
 
 /// Writes a report with a picture for each letter, as the program does; every file says `report`.
@@ -76,7 +74,7 @@ bool write(const fs::path& out, const std::string& letters, const std::string& r
   if (!images) return false;
   std::string pictures;
   for (const char letter : letters) {
-    put((*images)->directory() / pictureNamed(letter), report);
+    test::writeFile((*images)->directory() / pictureNamed(letter), report);
     pictures += (pictures.empty() ? "" : ",") + (R"({"image_png":"images/)" + pictureNamed(letter) + "\"}");
   }
   if ((*images)->putInPlace()) return false;
@@ -136,7 +134,7 @@ TEST_F(KilledReport, LeavesTheEarlierOneOrNoneOrTheNewOne) {
     SCOPED_TRACE(testing::Message() << "killed before change " << changes);
     fs::remove_all(out_);
     fs::create_directories(out_ / "images");
-    put(out_ / "images/holiday.png", "mine");
+    test::writeFile(out_ / "images/holiday.png", "mine");
     ASSERT_TRUE(write(out_, "abc", "old"));
     const Files before = files();
     finished = writeUntilKilled(out_, "bcd", "new", changes);

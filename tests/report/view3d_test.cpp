@@ -22,7 +22,6 @@ namespace rigel::tests {
 namespace {
 
 using namespace rigel::tools;
-using Json = nlohmann::json;
 using Bytes = std::vector<std::uint8_t>;
 
 Bytes inflated(const Bytes& packed) {
@@ -124,9 +123,9 @@ TEST(View3d, NumbersArePackedToTheirSteps) {
 TEST(View3d, AViewComesBack) {
   constexpr std::size_t kFrames = 4, kRigs = 3, kLights = 6;
   const ObjectView view = madeUpView(kFrames, kRigs, kLights);
-  const Json json = Json::parse(packedView(view, 1'000'000));
+  const nlohmann::json json = nlohmann::json::parse(packedView(view, 1'000'000));
   const std::size_t vertices = view.frames[0].positions.size();
-  EXPECT_EQ(json["frames"], Json({0, 1, 2, 3}));
+  EXPECT_EQ(json["frames"], nlohmann::json({0, 1, 2, 3}));
   EXPECT_EQ(json["vertices"], vertices);
   EXPECT_EQ(json["triangles"], view.triangles.size());
   EXPECT_EQ(json["lights"], kLights);
@@ -191,10 +190,10 @@ TEST(View3d, AViewComesBack) {
 TEST(View3d, WhatKeepsItsShapeIsWrittenOnce) {
   ObjectView view = madeUpView(3, 1, 0);
   for (auto& frame : view.frames) frame.positions = view.frames[0].positions;
-  const Json rigid = Json::parse(packedView(view, 1'000'000));
+  const nlohmann::json rigid = nlohmann::json::parse(packedView(view, 1'000'000));
   EXPECT_EQ(rigid["rigid"], true);
   view.frames[2].positions[5].x += 0.01f;
-  EXPECT_EQ(Json::parse(packedView(view, 1'000'000))["rigid"], false);
+  EXPECT_EQ(nlohmann::json::parse(packedView(view, 1'000'000))["rigid"], false);
 }
 
 TEST(View3d, AViewThatIsTooLargeLosesFrames) {
@@ -205,7 +204,7 @@ TEST(View3d, AViewThatIsTooLargeLosesFrames) {
     const std::string text = packedView(view, bytes);
     if (text.empty()) break;
     EXPECT_LE(text.size(), bytes);
-    const std::size_t frames = Json::parse(text)["frames"].size();
+    const std::size_t frames = nlohmann::json::parse(text)["frames"].size();
     EXPECT_LE(frames, last);
     last = frames;
   }
@@ -222,7 +221,7 @@ TEST(View3d, NumbersThatAreNotFiniteLeaveValidJson) {
     view.frames[1].rigs[0].box.hi.x = value;
     view.frames[1].rigs[1].samples[0].z = value;
     view.frames[1].worldFromLocal.origin.x = value;
-    EXPECT_TRUE(Json::accept(packedView(view, 1'000'000)));
+    EXPECT_TRUE(nlohmann::json::accept(packedView(view, 1'000'000)));
   }
 }
 
@@ -388,7 +387,7 @@ TEST(View3d, PagesCarryTheLibraryOnlyForAView) {
   EXPECT_NE(with.find("three.js authors"), std::string::npos);
   EXPECT_EQ(without.find("id=\"view3d-data\""), std::string::npos);
   EXPECT_EQ(without.find("three.js authors"), std::string::npos);
-  const Json data = Json::parse(view3dJson(madeUpReport()));
+  const nlohmann::json data = nlohmann::json::parse(view3dJson(madeUpReport()));
   EXPECT_EQ(data["scenes"].size(), 2u);
   EXPECT_TRUE(data["scenes"][1].is_null());
   EXPECT_EQ(data["objects"].size(), 2u);

@@ -13,6 +13,4 @@ void expectLoadError(GltfMaker& g, const std::string& expected) {
   EXPECT_EQ(scene.error().line().find('\n'), std::string::npos);
 }
 
-nlohmann::json& primitive(GltfMaker& g) { return g.json["meshes"][0]["primitives"][0]; }
-
 }  // namespace rigel::tools::test

@@ -8,7 +8,4 @@ namespace rigel::tools::test {
 /// Writes and loads `g`; the error must be `expected` after the file name.
 void expectLoadError(GltfMaker& g, const std::string& expected);
 
-/// The only primitive of GltfMaker's documents.
-nlohmann::json& primitive(GltfMaker& g);
-
 }  // namespace rigel::tools::test

@@ -16,6 +16,7 @@ namespace {
 
 using nlohmann::json;
 using test::GltfMaker;
+using test::primitive;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
@@ -28,8 +29,6 @@ Scene load(GltfMaker& g) {
   }
   return *std::move(scene);
 }
-
-json& primitive(GltfMaker& g) { return g.json["meshes"][0]["primitives"][0]; }
 
 std::vector<glm::uvec3> trianglesOf(std::size_t mode, const std::vector<std::uint16_t>& indices,
                                     std::vector<std::string>* notes = nullptr) {

@@ -45,6 +45,9 @@ class GltfMaker {
   std::string bytes_;
 };
 
+/// The only primitive of the documents that GltfMaker begins with.
+inline nlohmann::json& primitive(GltfMaker& g) { return g.json["meshes"][0]["primitives"][0]; }
+
 std::string encodeBase64(const std::string& bytes);
 
 /// A scene that uses everything the model can say: skin of 5+ influences, morphs, all interpolations, all lights.
