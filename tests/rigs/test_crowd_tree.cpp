@@ -128,7 +128,7 @@ Departure departureOf(Walkers<B>& walkers, const CrowdStats& stats) {
 
 template <int B>
 Departure departure(const LightSet& lights, float target, float cell, int slots, bool masks) {
-  Walkers<B> walkers(50, slots);
+  Walkers<B> walkers(20, slots);
   walkers.stage.lights = lights;
   walkers.stage.asked = {nullptr, target, cell};
   walkers.place(0, 20);
@@ -149,14 +149,16 @@ Departure departure(const LightSet& lights, float target, float cell, int slots,
 }
 
 TEST(CrowdTree, IsWithinItsBoundOfAllLights) {
-  const LightSet lights = lampCity(24, 8, 3, true);
+  const LightSet lights = lampCity(20, 8, 3, true);
   for (const float target : {0.02f, 0.2f})
-    for (const int slots : {0, 2, kMaxCrowdNear}) {
+    for (const int slots : {0, kMaxCrowdNear}) {
       const Departure d = departure<3>(lights, target, 6, slots, slots != 0);
       // Worst seen 0.24: a bound is a sum of worst cases.
       EXPECT_LE(d.most, 1) << target << ", " << slots << " slots";
-      RecordProperty("most", std::to_string(d.most));
-      RecordProperty("rms", std::to_string(d.rms));
+      const std::string name = std::to_string(target) + "_" + std::to_string(slots);
+      RecordProperty("most" + name, std::to_string(d.most));
+      RecordProperty("rms" + name, std::to_string(d.rms));
+      RecordProperty("bound" + name, std::to_string(d.bound));
       EXPECT_GT(d.bound, 0);
     }
 }
@@ -174,7 +176,7 @@ TEST(CrowdTree, IsWithinItsBoundInAllBandsAndCells) {
 TEST(CrowdTree, IsWithinItsBoundAmongAllKindsOfLights) {
   RandomLightCloud random(11);
   for (int i = 0; i < 4; ++i) {
-    const LightSet lights = random.cloud(400, 60, Kinds::all, false);
+    const LightSet lights = random.cloud(300, 60, Kinds::all, false);
     // Lights in one place cannot be told apart by what is near.
     EXPECT_LE(departure<3>(lights, 0.1f, 8, 0, false).most, 1) << i;
   }

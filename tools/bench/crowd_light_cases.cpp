@@ -1,10 +1,8 @@
 // A crowd in cities of 1000 and 100,000 lamps: what the light tree makes of the cost of an object.
 #include "bench/bench_case.h"
 
-#include <rigel/far_lights.h>
+#include <rigel/crowd.h>
 #include <rigel/light_tree.h>
-#include <rigel/project_batch.h>
-#include <rigel/rig_light.h>
 
 #include <array>
 #include <cmath>
@@ -15,10 +13,9 @@ namespace rigel::tools {
 namespace {
 
 constexpr int kPacks = 16;
-constexpr int kPackSize = 64;  // characters that stand together and share a selection
-constexpr int kSamples = 12;
-constexpr int kPoints = kPackSize * kSamples;
+constexpr int kPackSize = 64;      // characters that stand together
 constexpr float kPackRadius = 12;  // m
+constexpr float kCell = 8;         // m
 constexpr float kTarget = 0.2f;    // bound of the errors of clusters and slopes; rigs/README.md has the true errors
 constexpr float kSpacing = 30;     // m, of the lamps
 
@@ -43,91 +40,88 @@ LightSet lampCity(int count, float shift = 0) {
   return lights;
 }
 
-/// One pack's points, sample by sample, and what becomes of its light.
-struct Pack {
-  Vec3 centre;
-  std::vector<float> x, y, z;
-};
-
-/// Packs in a square of 400 m about the origin, people within kPackRadius of their pack's middle.
-std::vector<Pack> packs() {
+/// Where people stand: packs in a square of 400 m about the origin, each within kPackRadius of its middle.
+std::vector<Vec3> places() {
   std::mt19937 random(3);
   std::uniform_real_distribution<float> unit(0, 1);
-  std::vector<Pack> out(kPacks);
+  std::vector<Vec3> out;
   for (int i = 0; i < kPacks; ++i) {
-    Pack& pack = out[i];
-    pack.centre = {100 * (static_cast<float>(i % 4) - 1.5f) + 40 * unit(random), 1,
-                   100 * (static_cast<float>(i / 4) - 1.5f) + 40 * unit(random)};
+    const float x = 100 * (static_cast<float>(i % 4) - 1.5f) + 40 * unit(random);
+    const float z = 100 * (static_cast<float>(i / 4) - 1.5f) + 40 * unit(random);
     for (int person = 0; person < kPackSize; ++person) {
       const float turn = 6.2832f * unit(random), away = (kPackRadius - 1) * std::sqrt(unit(random));
-      for (int sample = 0; sample < kSamples; ++sample) {
-        pack.x.push_back(pack.centre.x + away * std::cos(turn) + 0.5f * (unit(random) - 0.5f));
-        pack.y.push_back(pack.centre.y + 1.8f * (unit(random) - 0.5f));
-        pack.z.push_back(pack.centre.z + away * std::sin(turn) + 0.5f * (unit(random) - 0.5f));
-      }
+      out.push_back({x + away * std::cos(turn), 0.9f, z + away * std::sin(turn)});
     }
   }
   return out;
 }
 
-struct CrowdInCity {
-  LightSet lights;
-  LightTree tree;
-  PreparedLights prepared;
-  std::vector<Pack> crowd = packs();
-  LightSelection selection;
-  std::vector<float> sums = std::vector<float>(27 * kPoints);
-  Rig rig;
-  std::vector<RadianceSH<3>> functionals, coefficients;
-
-  explicit CrowdInCity(int count) : lights(lampCity(count)), rig(makeRig()) {
-    tree.build(lights);
-    prepared.set(lights);
-    for (const SphereLight& cluster : tree.clusters()) prepared.add(cluster);
-    functionals.resize(rig.projections());
-    coefficients.resize(rig.shVectors());
+/// People who walk, 1.4 m/s at 60 frames a second, to and fro over eight metres.
+class CrowdInCity {
+ public:
+  explicit CrowdInCity(int lamps) : lights_(lampCity(lamps)) {
+    tree_.build(lights_);
+    prepare(lights_, tree_, prepared_);
+    const std::vector<Vec3> surface = bodySurface();
+    const RigBox box{{-0.3f, -0.9f, -0.2f}, {0.3f, 0.9f, 0.2f}};
+    const int kind = crowd_.addKind(*CrowdKind::create(*parseRigSpec("poly:6"), {{box, surface}, {}}));
+    for (std::size_t i = 0; i < places_.size(); ++i) ids_.push_back(crowd_.add(kind));
+    const CrowdOutputBound bound = crowd_.outputBound();
+    rigs_.resize(bound.rigs);
+    coefficients_.resize(bound.coefficients);
+    near_.resize(bound.near);
   }
 
-  /// Everything that depends on the lights: selection, projection, fit.
-  void light() {
-    for (const Pack& pack : crowd) {
-      tree.select({.centre = pack.centre, .radius = kPackRadius, .target = kTarget, .everywhere = true}, selection);
-      projectBatch<3>(prepared, selection.near, {pack.x, pack.y, pack.z}, {}, sums);
-      const auto far = projectFar<3>(prepared, selection.distant, pack.centre);
-      for (int person = 0; person < kPackSize; ++person) {
-        for (int sample = 0; sample < kSamples; ++sample) functionals[sample] = sampleOf(pack, far, person, sample);
-        fitRig<3>(rig, functionals, coefficients);
-        benchmark::DoNotOptimize(coefficients.data());
-      }
-    }
+  static void prepare(const LightSet& lights, const LightTree& tree, PreparedLights& prepared) {
+    prepared.set(lights);
+    for (const SphereLight& cluster : tree.clusters()) prepared.add(cluster);
+  }
+
+  /// `anew`: as if lamps had moved, nothing that the last frame knew is good.
+  void light(bool anew) {
+    if (anew) tree_.refit(lights_, {});
+    ++frame_;
+    const float t = static_cast<float>(frame_ % 360) / 360, along = 8 * std::abs(2 * t - 1);
+    for (std::size_t i = 0; i < ids_.size(); ++i)
+      crowd_.input(ids_[i]).worldFromRig.origin = places_[i] + (i % 2 == 0 ? Vec3{along, 0, 0} : Vec3{0, 0, along});
+    const CrowdStats stats = crowd_.frame({&lights_, &prepared_, {}, {&tree_, kTarget, kCell}}, 1.0f / 60,
+                                          {rigs_, coefficients_, {}, near_});
+    benchmark::DoNotOptimize(stats);
   }
 
  private:
-  static Rig makeRig() {
-    const std::vector<Vec3> surface = bodySurface();
-    Rig rig = *Rig::create(*parseRigSpec("poly:6"), {{{-0.3f, -0.9f, -0.2f}, {0.3f, 0.9f, 0.2f}}, surface});
-    std::vector<Vec3> anchors;
-    for (int i : rig.anchors()) anchors.push_back(surface[i]);
-    rig.setPose({{{-0.3f, -0.9f, -0.2f}, {0.3f, 0.9f, 0.2f}}, anchors});
-    return rig;
-  }
-
-  RadianceSH<3> sampleOf(const Pack& pack, const ProjectionWithGradient<3>& far, int person, int sample) const {
-    const int at = person * kSamples + sample;
-    const Vec3 off = Vec3{pack.x[at], pack.y[at], pack.z[at]} - pack.centre;
-    RadianceSH<3> sh = far.value;
-    for (int axis = 0; axis < 3; ++axis) sh += far.gradient.d[axis] * off[axis];
-    float* numbers = sh.data();
-    for (int row = 0; row < 27; ++row) numbers[row] += sums[static_cast<std::size_t>(row) * kPoints + at];
-    return sh;
-  }
+  LightSet lights_;
+  LightTree tree_;
+  PreparedLights prepared_;
+  std::vector<Vec3> places_ = places();
+  Crowd<3> crowd_;
+  std::vector<CrowdId> ids_;
+  std::vector<GpuRig> rigs_;
+  std::vector<GpuVec4> coefficients_;
+  std::vector<GpuNearLight> near_;
+  int frame_ = 0;
 };
 
-void addCity(std::vector<BenchCase>& cases, const std::string& name, const std::string& baseline, int count) {
-  const auto city = std::make_shared<std::unique_ptr<CrowdInCity>>();
+using Cities = std::array<std::unique_ptr<CrowdInCity>, 2>;
+
+/// The first city has 1000 lamps, the second 100,000.
+void addCity(std::vector<BenchCase>& cases, const std::string& name, const std::string& baseline,
+             const std::shared_ptr<Cities>& cities, std::size_t city, bool anew) {
   cases.push_back({name, "us/object", kPacks * kPackSize, 1e3, baseline, [=](benchmark::State& state) {
-                     if (!*city) *city = std::make_unique<CrowdInCity>(count);
-                     for (auto _ : state) (*city)->light();
+                     std::unique_ptr<CrowdInCity>& one = (*cities)[city];
+                     if (!one) one = std::make_unique<CrowdInCity>(city == 0 ? 1000 : 100000);
+                     for (auto _ : state) one->light(anew);
+                   }});
+}
+
+void addPreparation(std::vector<BenchCase>& cases) {
+  constexpr int kLamps = 100000;
+  cases.push_back({"crowd.lights_prepare", "ns/light", kLamps, 1, "crowd.lights_build", [=](benchmark::State& state) {
+                     const LightSet lights = lampCity(kLamps);
+                     LightTree tree;
+                     tree.build(lights);
+                     PreparedLights prepared;
+                     for (auto _ : state) CrowdInCity::prepare(lights, tree, prepared);
                    }});
 }
 
@@ -158,10 +152,14 @@ void addStructure(std::vector<BenchCase>& cases, const std::string& name, int mo
 }  // namespace
 
 void addCrowdLightCases(std::vector<BenchCase>& cases) {
-  // Its ratio is that of the cost of an object in the small city to that in the large one.
-  addCity(cases, "crowd.lights_1000", "", 1000);
-  addCity(cases, "crowd.lights_scaling", "crowd.lights_1000", 100000);
+  // Ratios are those of the cost of an object in the small city to that in the large one.
+  const auto cities = std::make_shared<Cities>();
+  addCity(cases, "crowd.lights_1000", "", cities, 0, false);
+  addCity(cases, "crowd.lights_scaling", "crowd.lights_1000", cities, 1, false);
+  addCity(cases, "crowd.lights_anew_1000", "", cities, 0, true);
+  addCity(cases, "crowd.lights_anew_scaling", "crowd.lights_anew_1000", cities, 1, true);
   addStructure(cases, "crowd.lights_build", 0);
+  addPreparation(cases);
   addStructure(cases, "crowd.lights_refit", 1);
   addStructure(cases, "crowd.lights_refit_some", 20);
 }
