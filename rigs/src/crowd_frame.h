@@ -75,6 +75,7 @@ CrowdStats Crowd<B>::State::frame(const CrowdLights& frameLights, float seconds,
   const bool cut = !(seconds > 0 && std::isfinite(seconds));
   lights.set(frameLights);
   for (Task& task : tasks) reserve(task);
+  if (lights.hasTree()) schedule.reservePlaces();
   CrowdStats stats =
       schedule.plan(populations, frames++, cut ? 0 : seconds, cut, lights.hasTree() ? lights.tree().cell : 0);
   assert(to.rigs.size() >= static_cast<std::size_t>(stats.visible));

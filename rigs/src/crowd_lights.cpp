@@ -80,12 +80,12 @@ void FrameLights::set(const CrowdLights& lights) {
   assert(static_cast<std::size_t>(prepared_->size()) == ids_.size() + tree_.tree->clusters().size());
   treeGroups_ = tree_.tree->groups();
   // The first frame after lights have changed tells who is new; in the next they no longer are.
-  const bool same = version_ == tree_.tree->version();
-  version_ = tree_.tree->version();
-  if (same) return fresh_.clear();
+  const std::uint64_t version = tree_.tree->version();
+  if (version == version_) return fresh_.clear();
   findFresh([&](std::size_t i) {
     return lights_->visit(static_cast<int>(i), [](const auto& light) { return colourOf(light) != Rgb{}; });
   });
+  version_ = version;
 }
 
 void FrameLights::setIds(std::span<const std::uint32_t> ids) {

@@ -67,7 +67,6 @@ void Schedule::reserve(std::span<const Population> populations) {
   }
   order_.reserve(characters);
   shown_.reserve(most);
-  places_.reserve(most);
   blocks_.reserve(2 * characters / kBlock + 3 * populations.size());
 }
 

@@ -64,6 +64,8 @@ struct Block {
 class Schedule {
  public:
   void reserve(std::span<const Population> populations);
+  /// For plans with cells.
+  void reservePlaces() { places_.reserve(shown_.capacity()); }
 
   /// `cut`: for all. `cell` [m]: blocks are of characters that are close together, by a grid of that size; 0: in their
   /// order.

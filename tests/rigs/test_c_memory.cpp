@@ -145,5 +145,18 @@ TEST_F(CApiWithoutMemory, LightsStayAsTheyWere) {
   EXPECT_FALSE(same(before_));
 }
 
+TEST_F(CApiWithoutMemory, LightsInATreeStayAsTheyWere) {
+  CLights many = someLights(30);
+  many.flags = RIGEL_LIGHTS_TREE;
+  const rigel_lights_desc lights = many.desc();
+  EXPECT_GT(failures([&] { return rigel_set_lights(stage_.lights.get(), &lights); }, [&] { expectUnchanged(); }), 20);
+  stage_.lightTarget = 0.1f;
+  const rigel_frame_desc frame = stage_.desc(0);
+  EXPECT_GT(failures([&] { return rigel_light_crowd(stage_.crowd.get(), &frame, nullptr); },
+                     [&] { EXPECT_TRUE(same(before_)); }),
+            5);
+  EXPECT_FALSE(same(before_));
+}
+
 }  // namespace
 }  // namespace rigel::test

@@ -1,9 +1,10 @@
 // Many characters of a few kinds, lit in every frame: skinning of sample points, operators, near lights, projection,
 // fit and packing, for sixteen characters at a time in vectors as wide as the machine's (Highway).
 //
-// A frame is cut into blocks of up to sixteen due characters of one kind, in the order in which they were added. What
-// comes out for a character depends on its own input and on the lights alone: not on its neighbours, on the order in
-// which blocks are done, or on the number of threads, to the last bit. All lights light all characters, but for groups.
+// A frame is cut into blocks of up to sixteen due characters of one kind, in the order in which they were added, or
+// with a light tree by place. What comes out for a character depends on its own input and on the lights alone: not on
+// its neighbours, on the order in which blocks are done, or on the number of threads, to the last bit. All lights light
+// all characters, but for groups, and for what a tree merges.
 // No locks; no allocation but while characters or lights grow in number.
 //
 //   pose      anchors on the palette, into the world; the pose's box
@@ -185,7 +186,7 @@ template <int B>
 class Crowd {
  public:
   /// `tasks`: into how many a frame is cut at most, that is, the most threads it can use. Each has about 0.1 MB of
-  /// scratch memory for `poly:6`.
+  /// scratch memory for `poly:6`, and with a tree 1.3 MB more.
   explicit Crowd(int tasks = 1);
   Crowd(Crowd&&) noexcept;
   Crowd& operator=(Crowd&&) noexcept;
@@ -210,7 +211,10 @@ class Crowd {
 
   /// Lights and packs all visible characters; nothing else of the crowd may be called meanwhile. `seconds` since the
   /// last call; not positive or not finite: a cut for all. Allocates only while lights grow in number. Linear in
-  /// characters x lights.
+  /// characters x lights; with a tree in characters and cells, where what is asked grows with the logarithm of the
+  /// lights, and nothing is asked again while the tree stays as it is and a task's characters are in 256 cells or less.
+  /// Beyond 1024 lights one by one a place allocates in its task, and where that fails this throws std::bad_alloc after
+  /// all tasks are done. Characters beyond 1e15 m are dark then.
   CrowdStats frame(const CrowdLights& lights, float seconds, const CrowdOutput& output, ParallelFor parallel = {},
                    CrowdProbe probe = {});
 
