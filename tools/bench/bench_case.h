@@ -6,6 +6,8 @@
 #include <benchmark/benchmark.h>
 
 #include <functional>
+#include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,6 +22,10 @@ struct BenchCase {
   std::function<void(benchmark::State&)> body;
   double flops = 0;         // floating-point operations an item, for its share of kPeakFigure; 0: none is given
   bool manualTime = false;  // the body says what counts (SetIterationTime), kManualIterations times a repetition
+
+  // Of a figure that follows from others, whose least times an item [ns] `derive` takes; it has no body.
+  std::vector<std::string> from = {};
+  std::function<double(std::span<const double>)> derive = {};
 };
 
 inline constexpr int kManualIterations = 40;
@@ -44,6 +50,11 @@ void addBoundCases(std::vector<BenchCase>& cases);
 
 /// Whole frames of crowds, their stages, and how they scale.
 void addCrowdCases(std::vector<BenchCase>& cases);
+
+/// The same on two threads.
+class LazyPeople;
+void addCrowdThreadCases(std::vector<BenchCase>& cases, const std::shared_ptr<LazyPeople>& thousand,
+                         const std::shared_ptr<LazyPeople>& many);
 
 /// Disk lights, one and many points at a time, beside Wallace's approximation.
 void addDiskCases(std::vector<BenchCase>& cases);

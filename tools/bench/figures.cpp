@@ -164,12 +164,13 @@ Result<std::vector<Figure>> measureFigures(const std::string& filter, int repeti
     selected[c.name] = true;
     if (!c.baseline.empty()) selected.emplace(c.baseline, false);
     if (c.flops > 0) selected.emplace(kPeakFigure, false);
+    for (const std::string& name : c.from) selected.emplace(name, false);
   }
   if (!any) return Error{"matches no figure", "--filter " + filter};
 
   benchmark::ClearRegisteredBenchmarks();
   for (const BenchCase& c : cases) {
-    if (!selected.contains(c.name)) continue;
+    if (!selected.contains(c.name) || c.derive) continue;
     auto* registered = benchmark::RegisterBenchmark(c.name.c_str(), c.body)->Repetitions(repetitions);
     c.manualTime ? registered->UseManualTime()->Iterations(kManualIterations) : registered->MinTime(0.05);
   }
@@ -183,10 +184,16 @@ Result<std::vector<Figure>> measureFigures(const std::string& filter, int repeti
 
   std::map<std::string, double> perItem;
   for (const BenchCase& c : cases)
-    if (selected.contains(c.name)) perItem[c.name] = reporter.least(c.name) / c.perIteration;
+    if (selected.contains(c.name) && !c.derive) perItem[c.name] = reporter.least(c.name) / c.perIteration;
   std::vector<Figure> figures;
   for (const BenchCase& c : cases) {
     if (const auto found = selected.find(c.name); found == selected.end() || !found->second) continue;
+    if (c.derive) {
+      std::vector<double> times;
+      for (const std::string& name : c.from) times.push_back(perItem[name]);
+      figures.push_back({c.name, c.derive(times), c.unit, ""});
+      continue;
+    }
     Figure figure{c.name, perItem[c.name] / c.nanosecondsPerUnit, c.unit, c.baseline};
     figure.median = reporter.median(c.name) / c.perIteration / c.nanosecondsPerUnit;
     if (!c.baseline.empty()) figure.ratio = perItem[c.baseline] / perItem[c.name];
