@@ -186,7 +186,7 @@ template <int B>
 class Crowd {
  public:
   /// `tasks`: into how many a frame is cut at most, that is, the most threads it can use. Each has about 0.1 MB of
-  /// scratch memory for `poly:6`, and with a tree 1.3 MB more.
+  /// scratch memory for `poly:6`, and with a tree 1.4 MB more.
   explicit Crowd(int tasks = 1);
   Crowd(Crowd&&) noexcept;
   Crowd& operator=(Crowd&&) noexcept;
