@@ -33,9 +33,13 @@ for (const name of reports) {
       press(place, 'End');
       equal(place.querySelector('.flag').textContent, `${last.time.toFixed(2)} s`, 'flag at the last frame');
       check(!place.querySelector('.moment').hidden, 'the moment is marked');
-      const atEnd = values().join();
       press(place, 'Home');
-      check(values().join() !== atEnd, 'the legend says the figures of the moment');
+      const atStart = values().join();
+      // Clips loop: the last frame may be the first once more.
+      const far = object.rigs.map(({frames}) => frames.map(({total_rms: rms}) => Math.abs(rms - frames[0].total_rms)))
+        .reduce((most, rig) => (Math.max(...rig) > Math.max(...most) ? rig : most));
+      for (let i = far.indexOf(Math.max(...far)); i > 0; --i) press(place, 'ArrowRight');
+      check(values().join() !== atStart, 'the legend says the figures of the moment');
       check(place.querySelector('.irradiance .value').textContent.endsWith('W/m²'), 'irradiance of the moment');
       press(place, 'Escape');
       check(place.querySelector('.moment').hidden, 'Escape takes the mark away');
