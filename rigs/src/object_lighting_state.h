@@ -68,6 +68,9 @@ struct ObjectLighting<B>::State {
   }
 
   bool chooses() const noexcept { return options.target.kind != LightingTarget::Kind::none; }
+  /// Speeds tell which disks will be touched where there are slots for all of them. Where there are few, a light must
+  /// be expected earlier: another has to leave its slot first.
+  bool watchesFaces() const noexcept { return chooses() && !options.nearSlots; }
   bool adaptive() const noexcept { return check.nested().has_value(); }
 
   void setPose(const RigPose& pose, const RigFrame& worldFromRig) noexcept {
@@ -103,7 +106,7 @@ struct ObjectLighting<B>::State {
     urgent.resize(count);
     culled.resize(count);
     verdicts.resize(count);
-    if (chooses()) faces.begin(seconds, lights.size());
+    if (watchesFaces()) faces.begin(seconds, lights.size());
     for (int i = 0; i < count; ++i) {
       const auto id = ids.empty() ? static_cast<std::uint32_t>(i) : ids[i];
       lights.visit(i, [&](const auto& light) {
@@ -112,7 +115,7 @@ struct ObjectLighting<B>::State {
         errors[i] = lighting::orNothing(bound.error * size);
         peaks[i] = lighting::orNothing(bound.peak * size);
         culled[i] = peaks[i] > 0 ? 0 : 1;
-        const float contact = chooses() ? faces.share(id, bound.gap) : FaceContact::shareAtAnySpeed(bound.gap);
+        const float contact = watchesFaces() ? faces.share(id, bound.gap) : FaceContact::shareAtAnySpeed(bound.gap);
         contacts[i] = size > 0 ? contact : 0;
         const float leap = static_cast<float>(kPi) * contacts[i] * size;
         urgent[i] = lighting::urgency(std::max(errors[i], leap), contacts[i]);
