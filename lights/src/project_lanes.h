@@ -29,7 +29,7 @@ struct SeenLanes {
 
 /// How `see` fared.
 struct Sight {
-  bool easy;  // all that is seen is right; where not, look at doubtsOf
+  bool easy;  // all that is seen is right; where not, isSmall and isServed say at which points it is
   Lane s2;    // (r/d)^2, the sine squared
   bool dark;  // reaches none of the points
 };
@@ -93,8 +93,7 @@ HWY_INLINE LaneMask isServed(const detail::PreparedLight& light, const PointLane
 }
 
 /// What a light is at points, c and band0 as if it were small. `Boundless`: it has neither window nor cone. `slope`: a
-/// SlopeLanes*, or nullptr where nobody asks for
-/// it.
+/// SlopeLanes*, or nullptr where nobody asks for it.
 template <int B, detail::PreparedKind Kind, bool Boundless, bool WithFootprint, class Slope>
 HWY_INLINE Sight see(const detail::PreparedLight& light, const PointLanes& points, const ApartLanes& apart,
                      SeenLanes& seen, Slope slope) {

@@ -29,7 +29,8 @@ Span spanOf(float p, float size) noexcept {
   const float u = p / size + 0.5f, below = std::floor(u), inside = u - below;
   Span span;
   span.at[0] = static_cast<std::int32_t>(below);
-  const bool low = inside<kBand, high = inside> 1 - kBand;
+  const bool low = inside < kBand;
+  const bool high = inside > 1 - kBand;
   if (!low && !high) return span;
   span.at[1] = span.at[0] + (low ? -1 : 1);
   const float past = (low ? inside : 1 - inside) / kBand;  // 0 at the face, 1 where the band ends

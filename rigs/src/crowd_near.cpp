@@ -18,7 +18,7 @@ class Rows {
 
   int lightOf(int row) const noexcept { return view_.shares == nullptr ? row : static_cast<int>(view_.listed[row]); }
   float errorOf(int light) const noexcept {
-    const std::ptrdiff_t row = rowOf(light);
+    const std::ptrdiff_t row = rowOfLight(light);
     return row < 0 ? 0 : view_.errors[row * kBlock];
   }
   /// Most that its weight can be.
@@ -26,21 +26,23 @@ class Rows {
     if (view_.shares == nullptr) return 1;
     // Of what is masked nothing is in the rig: it may fade.
     if ((view_.lights->groups(light) & view_.groups) == 0) return 1;
-    const std::ptrdiff_t row = rowOf(light);
+    const std::ptrdiff_t row = rowOfLight(light);
     return row < 0 ? 0 : std::min(view_.shares[row * kBlock], 1.0f);
   }
 
  private:
-  std::ptrdiff_t rowOf(int light) const noexcept {
-    if (view_.shares == nullptr) return light;
-    const auto found = std::ranges::lower_bound(view_.listed, static_cast<std::uint32_t>(light));
-    const bool listed = found != view_.listed.end() && *found == static_cast<std::uint32_t>(light);
-    return listed ? found - view_.listed.begin() : -1;
+  std::ptrdiff_t rowOfLight(int light) const noexcept {
+    return view_.shares == nullptr ? light : rowOf(view_.listed, static_cast<std::uint32_t>(light));
   }
   const NearView& view_;
 };
 
 }  // namespace
+
+std::ptrdiff_t rowOf(std::span<const std::uint32_t> listed, std::uint32_t light) noexcept {
+  const auto found = std::ranges::lower_bound(listed, light);
+  return found != listed.end() && *found == light ? found - listed.begin() : -1;
+}
 
 int findLight(std::span<const std::uint32_t> ids, std::uint32_t id, int hint) noexcept {
   const auto count = static_cast<std::ptrdiff_t>(ids.size());

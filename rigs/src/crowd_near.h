@@ -3,6 +3,7 @@
 
 #include <rigel/light.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -34,6 +35,9 @@ struct NearView {
 /// w = smoothstep(err/F - 1), F = max(tolerance, the error ranked slots + 1); 0 where F = err = 0, 1 where only F is 0.
 /// No more than the light's share: what clusters hold of it cannot be taken out of them.
 void updateNear(const NearView& view, std::span<NearSlot> slots) noexcept;
+
+/// Where a light is among those that are listed, sorted; -1: nowhere.
+std::ptrdiff_t rowOf(std::span<const std::uint32_t> listed, std::uint32_t light) noexcept;
 
 /// Where `id` is among `ids`, looked for at `hint` first; -1: nowhere.
 int findLight(std::span<const std::uint32_t> ids, std::uint32_t id, int hint) noexcept;

@@ -26,10 +26,8 @@ CellBall ballOf(const Places& places, int c) noexcept {
 
 /// Whether a light could be seen there: squares of distances are finite. Not for NaN.
 bool isInReach(const CellBall& ball) noexcept {
-  constexpr float kFarthest = 1e15f;
-  const Vec3 c = ball.centre;
-  return std::max({std::abs(c.x), std::abs(c.y), std::abs(c.z)}) < kFarthest && ball.radius < kFarthest &&
-         c.x + c.y + c.z == c.x + c.y + c.z;
+  const auto within = [](float v) { return std::abs(v) < 1e15f; };
+  return within(ball.centre.x) && within(ball.centre.y) && within(ball.centre.z) && within(ball.radius);
 }
 
 /// From all of a block to the members of a cell, a number a sample and character.
@@ -133,9 +131,9 @@ void TreeTask::setNear(int c, std::span<const NearSlot> slots) noexcept {
   for (const NearSlot& slot : slots) {
     if (!(slot.to > 0)) continue;
     const auto light = static_cast<std::uint32_t>(slot.light);
-    const auto found = std::ranges::lower_bound(listed_, light);
-    if (found == listed_.end() || *found != light) continue;
-    const float whole = shares_.data()[(found - listed_.begin()) * kBlock + c];
+    const std::ptrdiff_t row = rowOf(listed_, light);
+    if (row < 0) continue;
+    const float whole = shares_.data()[row * kBlock + c];
     if (!(whole > 0)) continue;
     near_[c][static_cast<std::size_t>(nearCount_[c]++)] = {light, std::max(0.0f, 1 - slot.to / whole)};
   }

@@ -15,13 +15,11 @@ namespace rigel {
 /// and not for any other. One object's; distances are in its radii (LightBound::gap).
 class FaceContact {
  public:
-  void reset() noexcept { fresh_ = true; }
+  void reset() noexcept { now_.clear(); }
 
   /// A new frame, `seconds` after the last; without a duration no speed is known.
   void begin(float seconds, std::size_t lights) {
     const bool timed = seconds > 0 && std::isfinite(seconds);
-    if (fresh_) now_.clear();
-    fresh_ = false;
     last_.swap(now_);
     now_.clear();
     last_.reserve(lights);
@@ -60,7 +58,6 @@ class FaceContact {
 
   std::vector<Face> last_, now_;
   float seconds_ = 0;
-  bool fresh_ = true;
 };
 
 }  // namespace rigel

@@ -60,22 +60,22 @@ void multiply(const float* matrix, std::size_t rows, std::size_t inner, const fl
   for (; r < rows; ++r) tileRows<1>(matrix + r * inner, inner, values, width, out + r * width);
 }
 
-void addFloats(float share, const float* from, std::size_t count, float* into) {
-  const Tag tag;
-  const Vec factor = hn::Set(tag, share);
+template <class AnyTag, class Number>
+HWY_INLINE void addScaled(AnyTag tag, Number share, const Number* from, std::size_t count, Number* into) {
+  constexpr std::size_t kStep = hn::MaxLanes(AnyTag());
+  const auto factor = hn::Set(tag, share);
   std::size_t i = 0;
-  for (; i + kLanes <= count; i += kLanes)
+  for (; i + kStep <= count; i += kStep)
     hn::StoreU(hn::MulAdd(factor, hn::LoadU(tag, from + i), hn::LoadU(tag, into + i)), tag, into + i);
   for (; i < count; ++i) into[i] += share * from[i];
 }
 
+void addFloats(float share, const float* from, std::size_t count, float* into) {
+  addScaled(Tag(), share, from, count, into);
+}
+
 void addDoubles(double share, const double* from, std::size_t count, double* into) {
-  const Tag64 tag;
-  const Vec64 factor = hn::Set(tag, share);
-  std::size_t i = 0;
-  for (; i + kLanes64 <= count; i += kLanes64)
-    hn::StoreU(hn::MulAdd(factor, hn::LoadU(tag, from + i), hn::LoadU(tag, into + i)), tag, into + i);
-  for (; i < count; ++i) into[i] += share * from[i];
+  addScaled(Tag64(), share, from, count, into);
 }
 
 double product(const double* a, const double* b, std::size_t count) {

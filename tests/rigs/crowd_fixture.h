@@ -7,11 +7,24 @@
 
 #include <cmath>
 #include <random>
+#include <thread>
 #include <vector>
 
 #include "rig_fixture.h"
 
 namespace rigel::test {
+
+/// Every task on a thread of its own.
+inline ParallelFor threadPerTask() {
+  ParallelFor threads;
+  threads.run = [](void*, int count, ParallelFor::Task task, void* work) {
+    std::vector<std::thread> others;
+    for (int i = 1; i < count; ++i) others.emplace_back([=] { task(work, i); });
+    task(work, 0);
+    for (std::thread& other : others) other.join();
+  };
+  return threads;
+}
 
 /// The joint's turn about the z axis at a place, after the body has bent along its height.
 inline JointMatrix bent(float angle, Vec3 pivot, Vec3 shift) {

@@ -1,8 +1,6 @@
 // What a crowd gives a character is what Rig, projectSamples and fitRig give it, whatever surrounds it.
 #include <rigel/half.h>
 
-#include <thread>
-
 #include "crowd_fixture.h"
 #include "lighting_fixture.h"
 #include "lights/every_target.h"
@@ -138,13 +136,7 @@ Bits bitsOf(int tasks, ParallelFor parallel) {
 
 TEST(Crowd, GivesTheSameBitsOnAnyNumberOfThreads) {
   const Bits one = bitsOf(1, {});
-  ParallelFor threads;
-  threads.run = [](void*, int count, ParallelFor::Task task, void* work) {
-    std::vector<std::thread> others;
-    for (int i = 1; i < count; ++i) others.emplace_back([=] { task(work, i); });
-    task(work, 0);
-    for (std::thread& other : others) other.join();
-  };
+  const ParallelFor threads = threadPerTask();
   ParallelFor backwards;
   backwards.run = [](void*, int count, ParallelFor::Task task, void* work) {
     for (int i = count; i-- > 0;) task(work, i);

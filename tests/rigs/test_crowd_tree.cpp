@@ -1,8 +1,6 @@
 // A crowd among many lights: what the tree leaves out is within its bound, and nothing else changes.
 #include <rigel/wrap.h>
 
-#include <thread>
-
 #include "crowd_cells.h"
 #include "crowd_fixture.h"
 #include "random_light_cloud.h"
@@ -240,13 +238,7 @@ std::vector<std::uint8_t> bitsOf(int tasks, ParallelFor parallel) {
 
 TEST(CrowdTree, GivesTheSameBitsOnAnyNumberOfThreads) {
   const std::vector<std::uint8_t> one = bitsOf(1, {});
-  ParallelFor threads;
-  threads.run = [](void*, int count, ParallelFor::Task task, void* work) {
-    std::vector<std::thread> others;
-    for (int i = 1; i < count; ++i) others.emplace_back([=] { task(work, i); });
-    task(work, 0);
-    for (std::thread& other : others) other.join();
-  };
+  const ParallelFor threads = threadPerTask();
   EXPECT_TRUE(one == bitsOf(2, threads));
   EXPECT_TRUE(one == bitsOf(7, threads));
   EXPECT_TRUE(one == bitsOf(4, {}));

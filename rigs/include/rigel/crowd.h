@@ -113,7 +113,7 @@ struct CrowdResult {
 
 /// Where there are many lights: what a frame asks a tree over them. Characters that are in one cell of a grid over the
 /// world share one question, asked of all of the cell, and so what they get depends on where they are and on the lights
-/// alone, not on their neighbours. Between cells, over 1/8 of their size, shares of both make what is seen continuous.
+/// alone, not on their neighbours. Between cells, over 1/16 of their size, shares of both make what is seen continuous.
 struct CrowdTree {
   const LightTree* tree = nullptr;  // of the same lights, as they are; null: all lights one by one
   float target = 0.1f;              // LightQuery::target: the share of the light that may be dropped or merged at most
