@@ -131,26 +131,35 @@ HWY_NOINLINE void seeUnsure(const PointLanes& points, Rows<B>& rows) {
   }
 }
 
-/// What a light's SH are proportional to, times the points' shares; `at`: where these begin in a row.
-template <int B>
-HWY_NOINLINE void weighShares(std::size_t at, Rows<B>& rows) {
-  for (int k = 0; k < rows.count; ++k) {
-    if (rows.shares[k] == nullptr) continue;
-    const Lane share = Lane::load(rows.shares[k] + at);
-    rows.seen[k].e *= share;
-    rows.seen[k].band0 *= share;
+/// For points that take all of a light.
+alignas(64) constexpr std::array<float, hn::MaxLanes(Lane::Tag())> kWhole = [] {
+  std::array<float, hn::MaxLanes(Lane::Tag())> whole{};
+  whole.fill(1);
+  return whole;
+}();
+
+/// What points see of a light, times their shares in it; `at`: where these begin in a row.
+template <bool Shared, int B>
+HWY_INLINE SeenLanes sharedSeen(const Rows<B>& rows, int k, std::size_t at) {
+  SeenLanes seen = rows.seen[k];
+  if constexpr (Shared) {
+    const float* row = rows.shares[k];
+    const Lane share = Lane::load(row == nullptr ? kWhole.data() : row + at);
+    seen.e *= share;
+    seen.band0 *= share;
   }
+  return seen;
 }
 
 /// Where registers hold all sums, what is weighed is added at once.
-template <int B>
-HWY_NOINLINE void addWeighed(const Rows<B>& rows, Lane* sums) {
+template <int B, bool Shared>
+HWY_NOINLINE void addWeighed(const Rows<B>& rows, std::size_t at, Lane* sums) {
   hn::Vec<Lane::Tag> held[3 * B * B];
   HWY_UNROLL(27)
   for (int i = 0; i < 3 * B * B; ++i) held[i] = sums[i].v;
   for (int k = 0; k < rows.count; ++k) {
     const RawRgb& colour = rows.colour[k];
-    weighBasis<B>(rows.seen[k], [&](int i, Lane number) HWY_ATTR {
+    weighBasis<B>(sharedSeen<Shared>(rows, k, at), [&](int i, Lane number) HWY_ATTR {
       held[3 * i] = hn::MulAdd(number.v, Lane(colour.r).v, held[3 * i]);
       held[3 * i + 1] = hn::MulAdd(number.v, Lane(colour.g).v, held[3 * i + 1]);
       held[3 * i + 2] = hn::MulAdd(number.v, Lane(colour.b).v, held[3 * i + 2]);
@@ -160,15 +169,25 @@ HWY_NOINLINE void addWeighed(const Rows<B>& rows, Lane* sums) {
   for (int i = 0; i < 3 * B * B; ++i) sums[i].v = held[i];
 }
 
-template <int B>
-HWY_NOINLINE void weighBases(Rows<B>& rows) {
+template <int B, bool Shared>
+HWY_NOINLINE void weighBases(Rows<B>& rows, std::size_t at) {
   for (int k = 0; k < rows.count; ++k)
-    weighBasis<B>(rows.seen[k], [&](int i, Lane number) HWY_ATTR { rows.basis[k][i] = number; });
+    weighBasis<B>(sharedSeen<Shared>(rows, k, at), [&](int i, Lane number) HWY_ATTR { rows.basis[k][i] = number; });
 }
 
 template <int B>
 HWY_NOINLINE void addRows(const Rows<B>& rows, Lane* sums) {
   addGroups<B * B>(rows.basis, rows.colour, rows.count, sums);
+}
+
+template <int B, bool Shared>
+HWY_INLINE void addSeen(Rows<B>& rows, std::size_t at, Lane* sums) {
+  if constexpr (B * B <= kSumGroup) {
+    addWeighed<B, Shared>(rows, at, sums);
+  } else {
+    weighBases<B, Shared>(rows, at);
+    addRows<B>(rows, sums);
+  }
 }
 
 template <int B>
@@ -181,13 +200,10 @@ void addBlock(LightBlock& block, const Tile& tile, std::size_t period, Fetch& ah
     const PointLanes points = tile.points(v);
     seeBlock<B, Kind, Boundless, WithFootprint>(block, points, ahead, rows);
     seeUnsure<B>(points, rows);
-    if (block.shared) weighShares<B>(tile.shareAt(v, period), rows);
-    if constexpr (B * B <= kSumGroup) {
-      addWeighed<B>(rows, sums);
-    } else {
-      weighBases<B>(rows);
-      addRows<B>(rows, sums);
-    }
+    if (block.shared)
+      addSeen<B, true>(rows, tile.shareAt(v, period), sums);
+    else
+      addSeen<B, false>(rows, 0, sums);
   }
   block.count = 0;
   block.shared = false;

@@ -17,7 +17,7 @@ class BlockShares {
   /// For so many lights, of which so many have shares.
   void reserve(std::size_t lights, std::size_t shared) {
     if (lights > rows_.size()) rows_.resize(lights, nullptr);
-    numbers_.reserve(shared * (kBlock + PointShares::kRowEnd));
+    numbers_.reserve(shared * kRow);
   }
   void clear(std::size_t characters) noexcept {
     if (used_ > 0) std::ranges::fill(rows_, nullptr);
@@ -25,18 +25,20 @@ class BlockShares {
     period_ = characters;
   }
   void set(int light, std::size_t character, float share) noexcept {
-    const std::size_t length = period_ + PointShares::kRowEnd;
     if (rows_[light] == nullptr) {
-      float* row = numbers_.data() + used_++ * length;
-      std::fill_n(row, length, 1.0f);
-      rows_[light] = row;
+      rows_[light] = numbers_.data() + used_++ * kRow;
+      std::fill_n(rows_[light], kRow, 1.0f);
     }
-    for (std::size_t i = character; i < length; i += period_) rows_[light][i] = share;
+    for (std::size_t i = character; i < kRow; i += period_) rows_[light][i] = share;
   }
   PointShares view(std::size_t lights) const noexcept { return {{rows_.data(), used_ > 0 ? lights : 0}, period_}; }
   std::size_t bytes() const noexcept { return numbers_.bytes() + rows_.capacity() * sizeof(float*); }
 
  private:
+  // Whole lines of the cache, so that vectors of full blocks are not split between two.
+  static constexpr std::size_t kRow = 2 * kBlock;
+  static_assert(kRow >= kBlock + PointShares::kRowEnd);
+
   std::vector<float*> rows_;
   AlignedArray<float> numbers_;
   std::size_t used_ = 0, period_ = 1;
