@@ -27,30 +27,29 @@ NearLight black(NearLight::Kind kind) noexcept {
 
 float held(float value) noexcept { return std::clamp(value, -kMaxProjectionScale, kMaxProjectionScale); }
 
-NearLight lit(NearLight::Kind kind, Rgb colour, float share) noexcept {
-  NearLight out;
-  out.kind = kind;
-  out.share = share > 0 ? std::min(share, 1.0f) : 0.0f;
-  out.colour = {held(colour.r), held(colour.g), held(colour.b)};
-  return out;
+void lightUp(NearLight& light, Rgb colour, float share) noexcept {
+  light.share = share > 0 ? std::min(share, 1.0f) : 0.0f;
+  light.colour = {held(colour.r), held(colour.g), held(colour.b)};
 }
 
 }  // namespace
 
+// All returns are of one variable, which is built where the caller wants it.
+
 NearLight nearLight(const DirectionalLight& light, float share) noexcept {
-  constexpr auto kKind = NearLight::Kind::directional;
+  NearLight out = black(NearLight::Kind::directional);
   const Vec3d direction = detail::directionOf(light.direction);
-  if (detail::anyNan(light.irradiance) || detail::dot(direction, direction) == 0) return black(kKind);
-  NearLight out = lit(kKind, light.irradiance, share);
+  if (detail::anyNan(light.irradiance) || detail::dot(direction, direction) == 0) return out;
+  lightUp(out, light.irradiance, share);
   out.position = detail::narrow(direction * -1.0);
   return out;
 }
 
 NearLight nearLight(const PointLight& light, float share) noexcept {
-  constexpr auto kKind = NearLight::Kind::point;
+  NearLight out = black(NearLight::Kind::point);
   const bool nan = detail::anyNan(light.position) || detail::anyNan(light.radius) || detail::anyNan(light.intensity);
-  if (nan || !(light.range > 0)) return black(kKind);
-  NearLight out = lit(kKind, light.intensity, share);
+  if (nan || !(light.range > 0)) return out;
+  lightUp(out, light.intensity, share);
   out.position = light.position;
   out.radius = std::max(light.radius, kMinPointRadius);
   out.range = light.range;
@@ -58,11 +57,12 @@ NearLight nearLight(const PointLight& light, float share) noexcept {
 }
 
 NearLight nearLight(const SpotLight& light, float share) noexcept {
-  constexpr auto kKind = NearLight::Kind::spot;
   const Vec3d axis = detail::directionOf(light.direction);
-  if (detail::anyNan(light.innerAngle, light.outerAngle) || detail::dot(axis, axis) == 0) return black(kKind);
-  NearLight out = nearLight(PointLight{light.position, light.intensity, light.radius, light.range}, share);
-  out.kind = kKind;
+  const bool dark = detail::anyNan(light.innerAngle, light.outerAngle) || detail::dot(axis, axis) == 0;
+  const float range = dark ? 0 : light.range;
+  NearLight out = nearLight(PointLight{light.position, light.intensity, light.radius, range}, share);
+  out.kind = NearLight::Kind::spot;
+  if (dark) return out;
   out.axis = detail::narrow(axis);
   out.cosOuter = static_cast<float>(std::cos(static_cast<double>(light.outerAngle)));
   out.cosInner = static_cast<float>(std::cos(static_cast<double>(light.innerAngle)));
@@ -70,20 +70,20 @@ NearLight nearLight(const SpotLight& light, float share) noexcept {
 }
 
 NearLight nearLight(const SphereLight& light, float share) noexcept {
-  constexpr auto kKind = NearLight::Kind::sphere;
-  if (detail::anyNan(light.position) || !(light.radius > 0) || detail::anyNan(light.radiance)) return black(kKind);
-  NearLight out = lit(kKind, light.radiance, share);
+  NearLight out = black(NearLight::Kind::sphere);
+  if (detail::anyNan(light.position) || !(light.radius > 0) || detail::anyNan(light.radiance)) return out;
+  lightUp(out, light.radiance, share);
   out.position = light.position;
   out.radius = light.radius;
   return out;
 }
 
 NearLight nearLight(const DiskLight& light, float share) noexcept {
-  constexpr auto kKind = NearLight::Kind::disk;
+  NearLight out = black(NearLight::Kind::disk);
   const Vec3d axis = detail::directionOf(light.direction);
-  if (!(light.radius > 0) || detail::dot(axis, axis) == 0) return black(kKind);
-  if (detail::anyNan(light.position) || detail::anyNan(light.radiance)) return black(kKind);
-  NearLight out = lit(kKind, light.radiance, share);
+  if (!(light.radius > 0) || detail::dot(axis, axis) == 0) return out;
+  if (detail::anyNan(light.position) || detail::anyNan(light.radiance)) return out;
+  lightUp(out, light.radiance, share);
   out.position = light.position;
   out.radius = std::min(light.radius, std::numeric_limits<float>::max());
   // A unit vector stays as it is: rounding it again would move the rim.

@@ -33,21 +33,20 @@ void setNearest(PreparedLight& light, double unit) noexcept {
   light.nearestSquare = nearest < kLargest ? static_cast<float>(nearest) : std::numeric_limits<float>::infinity();
 }
 
-PreparedLight prepared(const DirectionalLight& light) noexcept {
+// What contributes nothing stays as it is by default.
+
+void prepare(const DirectionalLight& light, PreparedLight& out) noexcept {
   const detail::Vec3d direction = detail::directionOf(light.direction);
-  if (detail::anyNan(light.irradiance) || detail::dot(direction, direction) == 0) return {};
-  PreparedLight out;
+  if (detail::anyNan(light.irradiance) || detail::dot(direction, direction) == 0) return;
   out.kind = PreparedKind::directional;
   out.position = detail::narrow(direction * -1.0);
   for (int c = 0; c < 3; ++c)
     out.colour[c] = std::clamp(light.irradiance[c], -kMaxProjectionScale, kMaxProjectionScale);
-  return out;
 }
 
-PreparedLight prepared(const PointLight& light) noexcept {
+void prepare(const PointLight& light, PreparedLight& out) noexcept {
   const bool nan = detail::anyNan(light.position) || detail::anyNan(light.radius) || detail::anyNan(light.intensity);
-  if (nan || !(light.range > 0)) return {};
-  PreparedLight out;
+  if (nan || !(light.range > 0)) return;
   out.kind = PreparedKind::point;
   out.position = light.position;
   out.radius = std::clamp(light.radius, kMinPointRadius, std::numeric_limits<float>::max());
@@ -55,48 +54,42 @@ PreparedLight prepared(const PointLight& light) noexcept {
   out.radiusSquare = out.radius * out.radius;
   out.inverseRangeSquare = rounded(1 / (static_cast<double>(light.range) * light.range));
   setNearest(out, 1);
-  return out;
 }
 
-PreparedLight prepared(const SpotLight& light) noexcept {
+void prepare(const SpotLight& light, PreparedLight& out) noexcept {
   const detail::Vec3d axis = detail::directionOf(light.direction);
-  if (detail::anyNan(light.innerAngle, light.outerAngle) || detail::dot(axis, axis) == 0) return {};
+  if (detail::anyNan(light.innerAngle, light.outerAngle) || detail::dot(axis, axis) == 0) return;
   const double cosOuter = std::cos(static_cast<double>(light.outerAngle));
   const double width = std::max<double>(std::cos(static_cast<double>(light.innerAngle)) - cosOuter, kMinConeWidth);
   // An angle that is infinite has no cosine.
-  if (!(width < 3)) return {};
-  PreparedLight out = prepared(PointLight{light.position, light.intensity, light.radius, light.range});
-  if (out.kind == PreparedKind::none) return out;
+  if (!(width < 3)) return;
+  prepare(PointLight{light.position, light.intensity, light.radius, light.range}, out);
+  if (out.kind == PreparedKind::none) return;
   out.kind = PreparedKind::spot;
   out.axis = detail::narrow(axis * (-1 / width));
   out.coneOffset = static_cast<float>(-cosOuter / width);
-  return out;
 }
 
-PreparedLight prepared(const SphereLight& light) noexcept {
-  if (detail::anyNan(light.position) || !(light.radius > 0) || detail::anyNan(light.radiance)) return {};
-  PreparedLight out;
+void prepare(const SphereLight& light, PreparedLight& out) noexcept {
+  if (detail::anyNan(light.position) || !(light.radius > 0) || detail::anyNan(light.radiance)) return;
   out.kind = PreparedKind::sphere;
   out.position = light.position;
   out.radius = std::min(light.radius, std::numeric_limits<float>::max());
   out.colour = scaled(light.radiance, kPi);
   setNearest(out, static_cast<double>(light.radius) * light.radius);
-  return out;
 }
 
-PreparedLight prepared(const DiskLight& light) noexcept {
+void prepare(const DiskLight& light, PreparedLight& out) noexcept {
   const detail::Vec3d axis = detail::directionOf(light.direction);
   // Of a radius that float has no inverse of nothing is seen but from where the disk is.
-  if (!(light.radius >= std::numeric_limits<float>::min()) || detail::dot(axis, axis) == 0) return {};
-  if (detail::anyNan(light.position) || detail::anyNan(light.radiance)) return {};
-  PreparedLight out;
+  if (!(light.radius >= std::numeric_limits<float>::min()) || detail::dot(axis, axis) == 0) return;
+  if (detail::anyNan(light.position) || detail::anyNan(light.radiance)) return;
   out.kind = PreparedKind::disk;
   out.position = light.position;
   out.radius = light.radius;
   for (int c = 0; c < 3; ++c) out.colour[c] = std::clamp(light.radiance[c], -kMaxProjectionScale, kMaxProjectionScale);
   out.axis = light.direction;
   out.twoSided = light.twoSided;
-  return out;
 }
 
 }  // namespace
@@ -106,9 +99,9 @@ void PreparedLights::reserve(int count) {
   uses_.reserve(static_cast<std::size_t>(count));
 }
 
-void PreparedLights::push(const PreparedLight& light) {
+PreparedLight& PreparedLights::push() {
   if (uses_.size() == lights_.size()) uses_.push_back({static_cast<std::uint32_t>(uses_.size()), 1});
-  lights_.push_back(light);
+  return lights_.emplace_back();
 }
 
 void PreparedLights::set(const LightSet& lights) {
@@ -116,15 +109,15 @@ void PreparedLights::set(const LightSet& lights) {
   anyDisk_ = lights.diskCount() > 0;
   lights_.clear();
   reserve(lights.size());
-  for (int i = 0; i < lights.directionalCount(); ++i) push(prepared(lights.directional(i)));
-  for (int i = 0; i < lights.pointCount(); ++i) push(prepared(lights.point(i)));
-  for (int i = 0; i < lights.spotCount(); ++i) push(prepared(lights.spot(i)));
-  for (int i = 0; i < lights.sphereCount(); ++i) push(prepared(lights.sphere(i)));
-  for (int i = 0; i < lights.diskCount(); ++i) push(prepared(lights.disk(i)));
+  for (int i = 0; i < lights.directionalCount(); ++i) prepare(lights.directional(i), push());
+  for (int i = 0; i < lights.pointCount(); ++i) prepare(lights.point(i), push());
+  for (int i = 0; i < lights.spotCount(); ++i) prepare(lights.spot(i), push());
+  for (int i = 0; i < lights.sphereCount(); ++i) prepare(lights.sphere(i), push());
+  for (int i = 0; i < lights.diskCount(); ++i) prepare(lights.disk(i), push());
 }
 
 std::uint32_t PreparedLights::add(const SphereLight& light) {
-  push(prepared(light));
+  prepare(light, push());
   return static_cast<std::uint32_t>(lights_.size() - 1);
 }
 

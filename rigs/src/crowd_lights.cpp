@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <iterator>
+#include <new>
 #include <numeric>
 
 #include "weights.h"
@@ -109,7 +110,7 @@ void FrameLights::setAll() {
     const int n = static_cast<int>(i);
     const NearLight light = nearLightOf(n);
     const std::uint32_t groups = lights_->groups(n);
-    near_[i] = gpuNearLight(light);
+    new (&near_[i]) GpuNearLight(gpuNearLight(light));  // in place: of trivial structs, and copies wait for stores
     table_.set(i, light, groups);
     grouped_ = grouped_ || groups != kAllLightGroups;
   }

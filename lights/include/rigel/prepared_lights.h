@@ -60,7 +60,7 @@ class PreparedLights {
   bool anyDisk() const noexcept { return anyDisk_; }
 
  private:
-  void push(const detail::PreparedLight& light);
+  detail::PreparedLight& push();
 
   bool anyDirectional_ = false, anyDisk_ = false;
   std::vector<detail::PreparedLight> lights_;
