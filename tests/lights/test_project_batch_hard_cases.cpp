@@ -4,6 +4,7 @@
 #include <rigel/project_batch.h>
 
 #include <bit>
+#include <cmath>
 #include <limits>
 
 #include "lights/batch_points.h"
@@ -99,6 +100,53 @@ TEST(ProjectBatchHardCases, SumsAtTheLimitStayFinite) {
     std::vector<float> sums(27 * points.size());
     projectBatch<3>(prepared, uses, points.rows(), {}, sums);
     for (const float sum : sums) EXPECT_TRUE(std::isfinite(sum));
+  });
+}
+
+// Lights so bright that they are beyond float where they are still seen as small (`extreme`): from where they are held
+// to where float does, as the scalar functions have them.
+TEST(ProjectBatchHardCases, ExtremelyBrightLightsAgreeWithScalars) {
+  onEveryTarget([] {
+    Random random(83);
+    constexpr double kTolerance = 1e-6;
+    double worst = 0;
+    int extreme = 0;
+    for (int k = 0; k < (test::fullRun() ? 20'000 : 1'000); ++k) {
+      const auto brightness = static_cast<float>(random.logUniform(1e10, 1e30));
+      const Rgb colour{brightness, brightness, brightness};  // vectors hold colours as one, scalars each channel
+      // Where a light of this brightness reaches what it is held to.
+      const double held = std::sqrt(2 * static_cast<double>(brightness) / static_cast<double>(kMaxProjectionScale));
+      const auto radius = static_cast<float>(held * random.logUniform(1e-6, 1));
+      LightSet lights;
+      if (k % 3 == 0) lights.add(PointLight{{}, colour, radius});
+      if (k % 3 == 1) lights.add(SpotLight{{}, {0, -1, 0}, colour, 1.7f, 2, radius});
+      if (k % 3 == 2) lights.add(SphereLight{{}, radius, colour});
+      PreparedLights prepared;
+      prepared.set(lights);
+      extreme += prepared[0].extreme ? 1 : 0;
+      BatchPoints points;
+      for (int i = 0; i < 20; ++i) {
+        Vec3 below = random.direction();  // all of it in the full light of the spots
+        below.y = -std::abs(below.y);
+        points.add(below * static_cast<float>(held * random.logUniform(1e-3, 1e3)));
+      }
+      const std::vector<float> sums = test::sumsOf<3>(lights, points);
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        const RadianceSH<3> expected = project<3>(lights, points[i]);
+        const RadianceSH<3> computed = test::shAt<3>(sums, points.size(), i);
+        double square = 0, norm = 0;
+        for (int n = 0; n < 27; ++n) {
+          square += std::pow(double{computed.data()[n]} - double{expected.data()[n]}, 2);
+          norm += std::pow(double{expected.data()[n]}, 2);
+        }
+        const double difference = std::sqrt(square / norm);
+        worst = std::max(worst, difference);
+        ASSERT_LT(difference, kTolerance)
+            << lights.visit(0, [](const auto& light) { return describe(light); }) << " at " << describe(points[i]);
+      }
+    }
+    EXPECT_GT(extreme, 300) << "no light was extreme";
+    testing::Test::RecordProperty("worst_1e_9", static_cast<int>(1e9 * worst));
   });
 }
 
