@@ -13,6 +13,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "project_batch.cpp"
 #include <hwy/foreach_target.h>
+#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
 #include "disk_batch_kernels.h"
@@ -73,11 +74,10 @@ class Fetch {
   HWY_INLINE void step() {
     if (HWY_LIKELY(next_ == end_)) return;
     for (const void* const* stop = next_ + std::min(lines_, end_ - next_); next_ != stop; ++next_)
-      __builtin_prefetch(*next_, 0, kSecondLevel);
+      hwy::Prefetch(static_cast<const char*>(*next_));
   }
 
  private:
-  static constexpr int kSecondLevel = 2;
   const void* const* next_;
   const void* const* end_;
   std::ptrdiff_t lines_;
