@@ -1,5 +1,6 @@
 #include "poly_model.h"
 
+#include "basis_rows.h"
 #include "monomials.h"
 
 #include <algorithm>
@@ -75,11 +76,7 @@ void Rig::PolyModel::basisBatch(const Vec3Rows& points, int count, std::span<flo
     if (spec.falloff)
       for (std::size_t i = 0; i < n; ++i) row(0)[i] = 1 / falloff_({u[0][i], u[1][i], u[2][i]});
   }
-  for (int k = 1; k < count; ++k) {
-    const float *from = row(terms_[k].from), *along = u[terms_[k].axis].data();
-    float* to = row(k);
-    for (std::size_t i = 0; i < n; ++i) to[i] = from[i] * along[i];
-  }
+  for (int k = 1; k < count; ++k) basisrows::multiply(row(terms_[k].from), u[terms_[k].axis].data(), n, row(k));
 }
 
 }  // namespace rigel

@@ -1,5 +1,6 @@
 #include "tensor_model.h"
 
+#include "basis_rows.h"
 #include "box_axes.h"
 #include "lattice_kernel.h"
 
@@ -140,6 +141,8 @@ void Rig::TensorModel::axisRows(int axis, std::span<const float> u, std::span<fl
   const int nodes = axis_[axis].nodes;
   std::ranges::fill(rows, nodes == 1 ? 1.0f : 0.0f);
   if (nodes == 1) return;
+  if (!gaussGrid_ && spec.kernel != LatticeKernel::cubic)
+    return basisrows::hats(nodes, spec.kernel == LatticeKernel::smooth, u.data(), u.size(), rows.data());
   std::array<float, kMaxGaussVectors> lagrange;
   for (std::size_t i = 0; i < u.size(); ++i) {
     int first = 0;
@@ -179,15 +182,14 @@ void Rig::TensorModel::basisBatch(const Vec3Rows& points, [[maybe_unused]] int c
     end += rows.size();
   }
   for (int node = 0; node < nodes_; ++node) {
-    std::array<const float*, 3> w;
-    for (int a = 0; a < 3; ++a) w[a] = of[a] + static_cast<std::size_t>(node / stride_[a] % axis_[a].nodes) * n;
+    const auto weights = [&](int a) {
+      return of[a] + static_cast<std::size_t>(node / stride_[a] % axis_[a].nodes) * n;
+    };
     float* value = values.data() + static_cast<std::size_t>(node * perNode) * n;
-    for (std::size_t i = 0; i < n; ++i) value[i] = w[2][i] * w[1][i] * w[0][i];
-    for (int s = 1; s < perNode; ++s) {
-      float* slope = value + static_cast<std::size_t>(s) * n;
-      const float* along = u[slopeAxes_[s - 1]].data();
-      for (std::size_t i = 0; i < n; ++i) slope[i] = value[i] * along[i];
-    }
+    basisrows::multiply(weights(2), weights(1), n, value);
+    basisrows::multiply(value, weights(0), n, value);
+    for (int s = 1; s < perNode; ++s)
+      basisrows::multiply(value, u[slopeAxes_[s - 1]].data(), n, value + static_cast<std::size_t>(s) * n);
   }
 }
 

@@ -1,5 +1,7 @@
 #include "lattice_kernel.h"
 
+#include "basis_rows.h"
+#include "lights/every_target.h"
 #include "rig_fixture.h"
 
 namespace rigel::test {
@@ -25,6 +27,27 @@ TEST(LatticeKernel, IsAPartitionOfUnityInsideAndOutside) {
     for (int nodes : {1, 2, 3, 5, 8})
       for (float u = -1.5f; u <= 1.5f; u += 0.01f)
         ASSERT_NEAR(interpolate(kernel, nodes, u, [](int) { return 1.0f; }), 1, 1e-6f) << nodes << " nodes at " << u;
+}
+
+// Many points in vectors, and what is left of a vector.
+TEST(LatticeKernel, RowsOfWeightsAreThoseOfPoints) {
+  std::vector<float> u;
+  for (int i = 0; i < 147; ++i) u.push_back(-1.5f + 0.0207f * static_cast<float>(i));
+  for (const float hard : {-1.0f, 0.0f, 1.0f, -1e30f, 1e30f}) u.push_back(hard);
+  onEveryTarget([&] {
+    for (const bool smooth : {false, true})
+      for (const int nodes : {2, 3, 5, 8}) {
+        std::vector<float> rows(static_cast<std::size_t>(nodes) * u.size());
+        basisrows::hats(nodes, smooth, u.data(), u.size(), rows.data());
+        for (std::size_t i = 0; i < u.size(); ++i) {
+          std::vector<float> expected(static_cast<std::size_t>(nodes));
+          const AxisWeights w = axisWeights(smooth ? LatticeKernel::smooth : LatticeKernel::linear, nodes, u[i]);
+          for (int k = 0; k < w.count; ++k) expected[static_cast<std::size_t>(w.first + k)] = w.weight[k];
+          for (std::size_t node = 0; node < expected.size(); ++node)
+            ASSERT_NEAR(rows[node * u.size() + i], expected[node], 2e-7f) << "node " << node << " at " << u[i];
+        }
+      }
+  });
 }
 
 TEST(LatticeKernel, InterpolatesItsNodes) {
