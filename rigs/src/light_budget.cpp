@@ -26,9 +26,12 @@ float grant(std::span<BudgetShare> shares, TargetCost cost, float visibleError) 
 }  // namespace
 
 BudgetOutcome spreadBudget(std::span<BudgetShare> shares, TargetCost cost, float microseconds) {
+  float late = 0;
+  for (const BudgetShare& share : shares) late += share.late;
+  const float free = std::clamp(microseconds - late, (1 - kMostLate) * microseconds, microseconds);
   BudgetOutcome outcome;
   outcome.microseconds = grant(shares, cost, 0);
-  if (outcome.microseconds > microseconds) {
+  if (outcome.microseconds > free) {
     float most = 0;
     for (const BudgetShare& share : shares)
       most = std::max(most, kGiveUpError * std::max(share.visibility, kLeastVisibility));
@@ -36,7 +39,7 @@ BudgetOutcome spreadBudget(std::span<BudgetShare> shares, TargetCost cost, float
     float low = std::log(std::min(kLeastError, most)), high = std::log(most);
     for (int i = 0; i < kBisections; ++i) {
       const float middle = 0.5f * (low + high);
-      (grant(shares, cost, std::exp(middle)) > microseconds ? low : high) = middle;
+      (grant(shares, cost, std::exp(middle)) > free ? low : high) = middle;
     }
     outcome.largestError = std::exp(high);
     outcome.microseconds = grant(shares, cost, outcome.largestError);
@@ -56,6 +59,7 @@ BudgetOutcome lightWithinBudget(std::span<ObjectLighting<B>* const> objects, std
     shares[i].wanted = options.target.value;
     shares[i].visibility = visibility.empty() ? 1 : visibility[i];
     shares[i].points = static_cast<float>(options.points);
+    shares[i].late = objects[i]->lateNanoseconds() * shares[i].points / 1000;
   }
   const auto costAt = [](void* all, std::size_t i, float target) {
     return (*static_cast<std::span<ObjectLighting<B>* const>*>(all))[i]->costAt(target);

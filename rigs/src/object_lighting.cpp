@@ -99,6 +99,11 @@ template <int B>
 float ObjectLighting<B>::modelledNanoseconds() const noexcept {
   return state_->nanoseconds;
 }
+
+template <int B>
+float ObjectLighting<B>::lateNanoseconds() const noexcept {
+  return state_->chooses() ? state_->nanoseconds - state_->choice.nanoseconds : 0;
+}
 template <int B>
 const HighBand& ObjectLighting<B>::highBand() const noexcept {
   return state_->high;

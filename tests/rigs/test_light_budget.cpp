@@ -91,6 +91,24 @@ TEST(LightBudget, HoldsItsBudgetAndSharesTheLargestError) {
   }
 }
 
+// Lights that are left behind leave gradually and are paid for until they have: others have to make room.
+TEST(LightBudget, HoldsItsBudgetOnAverageWhereEveryoneWalks) {
+  Crowd crowd(12);
+  constexpr float kBudget = 2000, kSpeed = 4, kSeconds = 1.0f / 60;
+  crowd.light(kBudget);
+  double sum = 0;
+  float late = 0;
+  constexpr int kFrames = 120;
+  for (int f = 1; f <= kFrames; ++f) {
+    crowd.place({kSpeed * kSeconds * static_cast<float>(f), 0, 0});
+    crowd.light(kBudget, kSeconds);
+    sum += crowd.evaluated();
+    for (const BudgetShare& share : crowd.shares) late += share.late / kFrames;
+  }
+  EXPECT_LE(sum / kFrames, kBudget);
+  EXPECT_GT(late, 0.02f * kBudget) << "nothing was late";
+}
+
 TEST(LightBudget, TakesFromWhatIsSeenLeast) {
   Crowd crowd(8);
   crowd.visibility.assign(8, 1);

@@ -94,6 +94,7 @@ class RunnerOf final : public RigRunner {
     clock.ended(FitTimes::kChoose);
   }
   float costAt(float target) const override { return lighting_.costAt(target); }
+  float lateNanoseconds() const override { return lighting_.lateNanoseconds(); }
   void settle(const LightSet& lights, float target, float seconds) override {
     lightKinds_ = lightEffects(lights);
     StageClock clock(times_);
@@ -239,6 +240,7 @@ void lightWithin(float microseconds, std::span<RigRunner* const> rigs, const Lig
     rigs[i]->weigh(lights, seconds);
     shares[i].wanted = rigs[i]->asked().target.value;
     shares[i].points = static_cast<float>(rigs[i]->asked().points);
+    shares[i].late = rigs[i]->lateNanoseconds() * shares[i].points / 1000;
   }
   const auto costAt = [](void* all, std::size_t i, float target) {
     return (*static_cast<std::span<RigRunner* const>*>(all))[i]->costAt(target);

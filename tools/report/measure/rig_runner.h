@@ -45,6 +45,7 @@ class RigRunner {
   /// The same in two steps, as ObjectLighting has them, for rigs that choose and share a frame's time.
   virtual void weigh(const LightSet& lights, float seconds) = 0;
   virtual float costAt(float target) const = 0;
+  virtual float lateNanoseconds() const = 0;
   virtual void settle(const LightSet& lights, float target, float seconds) = 0;
 
   FitTimes fit(const SceneObject& object, const PosedObject& posed, const LightSet& lights, float seconds) {
