@@ -25,40 +25,10 @@ HWY_BEFORE_NAMESPACE();
 namespace rigel::HWY_NAMESPACE {
 namespace {
 
-using detail::PreparedKind;
-using detail::PreparedLight;
+using detail::FarBlock;
 
-constexpr int kBlock = 64;
+constexpr int kBlock = FarBlock::kSize;
 constexpr int kVectors = kBlock / static_cast<int>(Lane::kCount);
-
-/// Of a block of lights; what is missing has flux 0.
-struct FarBlock {
-  alignas(64) float x[kBlock], y[kBlock], z[kBlock];  // from the point to the light
-  alignas(64) float squaredRadius[kBlock];
-  alignas(64) float flux[3][kBlock];  // times share
-  int count = 0;
-
-  void add(const PreparedLight& light, float share, Vec3 p) {
-    const Vec3 d = light.position - p;
-    const bool sphere = light.kind == PreparedKind::sphere;
-    const float r2 = sphere ? light.radius * light.radius : light.radiusSquare;
-    // Also false for NaN.
-    if (!(dot(d, d) < 1e30f && r2 < 1e30f)) return;
-    x[count] = d.x;
-    y[count] = d.y;
-    z[count] = d.z;
-    squaredRadius[count] = r2;
-    for (int c = 0; c < 3; ++c) flux[c][count] = light.colour[c] * (2 * share * (sphere ? r2 : 1));
-    ++count;
-  }
-
-  void fill() {
-    for (int i = count; i < kBlock; ++i) {
-      x[i] = 1;
-      y[i] = z[i] = squaredRadius[i] = flux[0][i] = flux[1][i] = flux[2][i] = 0;
-    }
-  }
-};
 
 /// Value, then slopes along x, y, z, of each coefficient.
 template <int B>
@@ -85,9 +55,10 @@ HWY_INLINE void setRow(FarRows<B>& rows, int i, int v, Lane number, Lane gx, Lan
 }
 
 template <int B>
-HWY_INLINE void seeVector(const FarBlock& block, int v, FarRows<B>& rows) {
+HWY_INLINE void seeVector(const FarBlock& block, Vec3 p, int v, FarRows<B>& rows) {
   const std::size_t at = static_cast<std::size_t>(v) * Lane::kCount;
-  const Lane dx = Lane::load(block.x + at), dy = Lane::load(block.y + at), dz = Lane::load(block.z + at);
+  const Lane dx = Lane::load(block.x + at) - Lane(p.x), dy = Lane::load(block.y + at) - Lane(p.y),
+             dz = Lane::load(block.z + at) - Lane(p.z);
   const Lane squaredRadius = Lane::load(block.squaredRadius + at);
   const Lane least = max(Lane(4.0f) * squaredRadius, Lane(1e-30f));
   const Lane square = max(mulAdd(dx, dx, mulAdd(dy, dy, dz * dz)), least);
@@ -134,36 +105,22 @@ HWY_INLINE void addRows(const FarBlock& block, const FarRows<B>& rows, Lane* sum
 }
 
 template <int B>
-HWY_NOINLINE void addBlock(FarBlock& block, FarRows<B>& rows, Lane* sums) {
-  block.fill();
-  for (int v = 0; v < kVectors; ++v) seeVector<B>(block, v, rows);
-  addRows<B>(block, rows, sums);
-  block.count = 0;
-}
-
-template <int B>
-void sumFar(const PreparedLights& lights, std::span<const LightUse> uses, Vec3 p, float* out) {
+HWY_NOINLINE void sumFar(std::span<const FarBlock> blocks, Vec3 p, float* out) {
   Lane sums[3 * kRows<B>];
   for (Lane& sum : sums) sum = Lane(0.0f);
-  FarBlock block;
   FarRows<B> rows;
-  for (const LightUse& use : uses) {
-    const PreparedLight& light = lights[use.light];
-    const bool local =
-        light.kind == PreparedKind::sphere || light.kind == PreparedKind::point || light.kind == PreparedKind::spot;
-    if (!local) continue;
-    block.add(light, detail::heldShare(use.share), p);
-    if (block.count == kBlock) addBlock<B>(block, rows, sums);
+  for (const FarBlock& block : blocks) {
+    for (int v = 0; v < kVectors; ++v) seeVector<B>(block, p, v, rows);
+    addRows<B>(block, rows, sums);
   }
-  if (block.count > 0) addBlock<B>(block, rows, sums);
   for (int i = 0; i < 3 * kRows<B>; ++i) out[i] = hn::GetLane(hn::SumOfLanes(Lane::Tag(), sums[i].v));
 }
 
 }  // namespace
 
-void sumFarLights(const PreparedLights& lights, std::span<const LightUse> uses, Vec3 p, int bands, float* out) {
-  if (bands == 2) return sumFar<2>(lights, uses, p, out);
-  return sumFar<3>(lights, uses, p, out);
+void sumFarLights(std::span<const FarBlock> blocks, Vec3 p, int bands, float* out) {
+  if (bands == 2) return sumFar<2>(blocks, p, out);
+  return sumFar<3>(blocks, p, out);
 }
 
 }  // namespace rigel::HWY_NAMESPACE
@@ -175,45 +132,101 @@ namespace {
 
 HWY_EXPORT(sumFarLights);
 
-template <int B, class Light>
-void accumulate(const Light& light, Vec3 p, ProjectionWithGradient<B>& out) noexcept {
-  const ProjectionWithGradient<B> one = projectWithGradient<B>(light, p);
-  out.value += one.value;
-  for (int axis = 0; axis < 3; ++axis) out.gradient.d[axis] += one.gradient.d[axis];
+using detail::FarBlock;
+using detail::PreparedKind;
+
+/// Whether the light is among those that are made for this.
+bool put(FarBlock& block, int i, const detail::PreparedLight& light, float share) noexcept {
+  const bool sphere = light.kind == PreparedKind::sphere;
+  if (!sphere && light.kind != PreparedKind::point && light.kind != PreparedKind::spot) return false;
+  const float r2 = sphere ? light.radius * light.radius : light.radiusSquare;
+  // Also false for NaN.
+  if (!(dot(light.position, light.position) < 1e30f && r2 < 1e30f)) return false;
+  block.x[i] = light.position.x;
+  block.y[i] = light.position.y;
+  block.z[i] = light.position.z;
+  block.squaredRadius[i] = r2;
+  for (int c = 0; c < 3; ++c) block.flux[c][i] = light.colour[c] * (2 * share * (sphere ? r2 : 1));
+  return true;
+}
+
+void clearFrom(FarBlock& block, int i) noexcept {
+  for (; i < FarBlock::kSize; ++i) {
+    block.x[i] = block.y[i] = block.z[i] = 0;
+    block.squaredRadius[i] = 1;  // finite wherever it is seen from
+    for (auto& flux : block.flux) flux[i] = 0;
+  }
+}
+
+/// Fills the block from the front of `uses`, and leaves the rest of them.
+void fill(FarBlock& block, const PreparedLights& lights, std::span<const LightUse>& uses) noexcept {
+  int count = 0;
+  std::size_t i = 0;
+  for (; i < uses.size() && count < FarBlock::kSize; ++i)
+    count += put(block, count, lights[uses[i].light], detail::heldShare(uses[i].share)) ? 1 : 0;
+  clearFrom(block, count);
+  uses = uses.subspan(i);
 }
 
 template <int B>
-void accumulate(const detail::PreparedLight& light, float share, Vec3 p, ProjectionWithGradient<B>& out) noexcept {
-  const Rgb colour = light.colour * share;
-  if (light.kind == detail::PreparedKind::sphere)
-    accumulate<B>(SphereLight{light.position, light.radius, colour * static_cast<float>(1 / kPi)}, p, out);
-  if (light.kind == detail::PreparedKind::point || light.kind == detail::PreparedKind::spot)
-    accumulate<B>(PointLight{light.position, colour, light.radius}, p, out);
+void accumulate(const FarBlock& block, Vec3 p, ProjectionWithGradient<B>& out) noexcept {
+  for (int i = 0; i < FarBlock::kSize; ++i) {
+    const Rgb intensity{block.flux[0][i] / 2, block.flux[1][i] / 2, block.flux[2][i] / 2};
+    if (intensity == Rgb{}) continue;
+    const ProjectionWithGradient<B> one = projectWithGradient<B>(
+        PointLight{{block.x[i], block.y[i], block.z[i]}, intensity, std::sqrt(block.squaredRadius[i])}, p);
+    out.value += one.value;
+    for (int axis = 0; axis < 3; ++axis) out.gradient.d[axis] += one.gradient.d[axis];
+  }
+}
+
+template <int B>
+void accumulate(std::span<const FarBlock> blocks, Vec3 p, ProjectionWithGradient<B>& out) noexcept {
+  if (!(dot(p, p) < 1e30f)) return;
+  if constexpr (B > 3) {
+    for (const FarBlock& block : blocks) accumulate<B>(block, p, out);
+  } else {
+    std::array<float, 12 * B * B> sums;
+    HWY_DYNAMIC_DISPATCH(sumFarLights)(blocks, p, B, sums.data());
+    for (int i = 0; i < B * B; ++i) {
+      const float* row = sums.data() + 12 * i;
+      out.value[i] += Rgb{row[0], row[1], row[2]};
+      for (int axis = 0; axis < 3; ++axis)
+        out.gradient.d[axis][i] += Rgb{row[3 * axis + 3], row[3 * axis + 4], row[3 * axis + 5]};
+    }
+  }
 }
 
 }  // namespace
 
+void FarLightList::set(const PreparedLights& lights, std::span<const LightUse> uses) {
+  blocks_.resize((uses.size() + FarBlock::kSize - 1) / FarBlock::kSize);
+  for (FarBlock& block : blocks_) fill(block, lights, uses);
+}
+
+template <int B>
+ProjectionWithGradient<B> projectFar(const FarLightList& lights, Vec3 p) noexcept {
+  ProjectionWithGradient<B> out;
+  accumulate<B>(lights.blocks(), p, out);
+  return out;
+}
+
 template <int B>
 ProjectionWithGradient<B> projectFar(const PreparedLights& lights, std::span<const LightUse> uses, Vec3 p) noexcept {
   ProjectionWithGradient<B> out;
-  if constexpr (B > 3) {
-    for (const LightUse& use : uses) accumulate<B>(lights[use.light], detail::heldShare(use.share), p, out);
-  } else {
-    std::array<float, 12 * B * B> sums;
-    HWY_DYNAMIC_DISPATCH(sumFarLights)(lights, uses, p, B, sums.data());
-    for (int i = 0; i < B * B; ++i) {
-      const float* row = sums.data() + 12 * i;
-      out.value[i] = {row[0], row[1], row[2]};
-      for (int axis = 0; axis < 3; ++axis)
-        out.gradient.d[axis][i] = {row[3 * axis + 3], row[3 * axis + 4], row[3 * axis + 5]};
-    }
+  FarBlock blocks[4];
+  for (std::span<const LightUse> rest = uses; !rest.empty();) {
+    std::size_t count = 0;
+    while (count < std::size(blocks) && !rest.empty()) fill(blocks[count++], lights, rest);
+    accumulate<B>(std::span<const FarBlock>(blocks).first(count), p, out);
   }
   if (lights.anyDirectional()) out.value += detail::directionalSh<B>(lights, uses, {});
   return out;
 }
 
-#define RIGEL_INSTANTIATE(B) \
-  template ProjectionWithGradient<B> projectFar<B>(const PreparedLights&, std::span<const LightUse>, Vec3) noexcept;
+#define RIGEL_INSTANTIATE(B)                                                                                         \
+  template ProjectionWithGradient<B> projectFar<B>(const PreparedLights&, std::span<const LightUse>, Vec3) noexcept; \
+  template ProjectionWithGradient<B> projectFar<B>(const FarLightList&, Vec3) noexcept;
 RIGEL_INSTANTIATE(2)
 RIGEL_INSTANTIATE(3)
 RIGEL_INSTANTIATE(4)

@@ -78,6 +78,56 @@ void expectLikeScalar(const Scene& scene) {
   }
 }
 
+/// A list says what the lights do, at any point and however many it has held before.
+template <int B>
+void expectListedAlike(Scene scene, FarLightList& list) {
+  std::erase_if(scene.uses, [&](const LightUse& use) {
+    return use.light < static_cast<std::uint32_t>(scene.lights.directionalCount());
+  });
+  PreparedLights prepared;
+  prepared.set(scene.lights);
+  list.set(prepared, scene.uses);
+  for (const Vec3 off : {Vec3{}, Vec3{0.01f, -0.02f, 0}}) {
+    const Vec3 p = scene.p + off * length(scene.p);
+    const auto one = projectFar<B>(prepared, scene.uses, p), all = projectFar<B>(list, p);
+    for (int i = 0; i < B * B; ++i)
+      for (int c = 0; c < 3; ++c) {
+        // Sums in another order.
+        const float whole = one.value[0][c];
+        ASSERT_NEAR(all.value[i][c], one.value[i][c], 1e-6f * whole);
+        for (int a = 0; a < 3; ++a)
+          ASSERT_NEAR(all.gradient.d[a][i][c], one.gradient.d[a][i][c],
+                      2e-6f * (std::abs(one.gradient.d[a][i][c]) + whole / length(scene.p)));
+      }
+  }
+}
+
+TEST(FarLights, ListsSayTheSame) {
+  onEveryTarget([] {
+    std::mt19937 random(4);
+    FarLightList list;
+    for (const int count : {300, 0, 1, 63, 64, 65, 700}) {
+      const Scene scene = randomScene(random, count);
+      expectListedAlike<2>(scene, list);
+      expectListedAlike<3>(scene, list);
+      expectListedAlike<4>(scene, list);
+    }
+  });
+  // What is missing in a block is dark where the block is seen from too.
+  LightSet lights;
+  lights.add(PointLight{{3, 4, 5}, {1, 2, 3}});
+  PreparedLights prepared;
+  prepared.set(lights);
+  FarLightList list;
+  const LightUse use[] = {{0, 1}};
+  list.set(prepared, use);
+  const auto found = projectFar<3>(list, {}), expected = projectWithGradient<3>(lights.point(0), {});
+  for (int i = 0; i < 9; ++i) {
+    EXPECT_NEAR(found.value[i].g, expected.value[i].g, 1e-7f);
+    EXPECT_NEAR(found.gradient.d[2][i].g, expected.gradient.d[2][i].g, 1e-7f);
+  }
+}
+
 TEST(FarLights, AreAsTheScalarFunctionsSay) {
   onEveryTarget([] {
     std::mt19937 random(3);

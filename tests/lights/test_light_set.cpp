@@ -5,6 +5,7 @@
 #include "lights/describe.h"
 
 #include <utility>
+#include <vector>
 
 namespace rigel {
 namespace {
@@ -66,6 +67,19 @@ TEST(LightSet, KeepsTheGroupsOfEveryLight) {
   EXPECT_EQ(lights.groups(0), 0u);
   lights.add(kSpot, 16);
   EXPECT_EQ(lights.groups(0), 16u);
+}
+
+TEST(LightSet, VisitsAllInTheOrderOfVisit) {
+  LightSet lights = allKinds();
+  lights.add(DiskLight{{1, 2, 3}, {0, 1, 0}, 1, {13, 14, 15}});
+  lights.add(kPoint);
+  lights.add(kDirectional);
+  std::vector<Rgb> all;
+  lights.visitAll([&](const auto& light) { all.push_back(colourOf(light)); });
+  ASSERT_EQ(all.size(), static_cast<std::size_t>(lights.size()));
+  for (int i = 0; i < lights.size(); ++i)
+    EXPECT_EQ(lights.visit(i, [](const auto& light) { return colourOf(light); }), all[static_cast<std::size_t>(i)])
+        << i;
 }
 
 TEST(LightSet, ReserveKeepsTheLights) {

@@ -155,6 +155,15 @@ class LightSet {
     if (i < sphereCount()) return f(sphere(i));
     return f(disk(i - sphereCount()));
   }
+  /// The same of all lights, in this order.
+  template <class F>
+  void visitAll(F&& f) const {
+    for (int i = 0, n = directionalCount(); i < n; ++i) f(directional(i));
+    for (int i = 0, n = pointCount(); i < n; ++i) f(point(i));
+    for (int i = 0, n = spotCount(); i < n; ++i) f(spot(i));
+    for (int i = 0, n = sphereCount(); i < n; ++i) f(sphere(i));
+    for (int i = 0, n = diskCount(); i < n; ++i) f(disk(i));
+  }
 
  private:
   using Floats = std::vector<float>;
