@@ -83,9 +83,7 @@ void FrameLights::set(const CrowdLights& lights) {
   // The first frame after lights have changed tells who is new; in the next they no longer are.
   const std::uint64_t version = tree_.tree->version();
   if (version == version_) return fresh_.clear();
-  findFresh([&](std::size_t i) {
-    return lights_->visit(static_cast<int>(i), [](const auto& light) { return colourOf(light) != Rgb{}; });
-  });
+  findFresh([&](const auto& next) { lights_->visitAll([&](const auto& light) { next(colourOf(light) != Rgb{}); }); });
   version_ = version;
 }
 
@@ -115,21 +113,24 @@ void FrameLights::setAll() {
     grouped_ = grouped_ || groups != kAllLightGroups;
   }
   ranks_ = table_.rows(count, directed());
-  findFresh([&](std::size_t i) { return ranks_.row[RankRows::power][i] > 0; });
+  findFresh([&](const auto& next) {
+    for (std::size_t i = 0; i < count; ++i) next(ranks_.row[RankRows::power][i] > 0);
+  });
 }
 
-template <class Shines>
-void FrameLights::findFresh(const Shines& shines) {
+template <class Each>
+void FrameLights::findFresh(const Each& each) {
   shone_.swap(shining_);
   shining_.reserve(ids_.size());
   shone_.reserve(ids_.size());
   shining_.resize(ids_.size());
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < ids_.size(); ++i) {
-    shining_[count] = ids_[i];
-    count += shines(i) ? 1 : 0;
-  }
-  shining_.resize(count);
+  const std::uint32_t* id = ids_.data();
+  std::uint32_t* to = shining_.data();
+  each([&](bool shines) {
+    *to = *id++;
+    to += shines ? 1 : 0;
+  });
+  shining_.resize(static_cast<std::size_t>(to - shining_.data()));
   if (!std::ranges::is_sorted(shining_)) std::ranges::sort(shining_);
   fresh_.clear();
   fresh_.reserve(ids_.size());

@@ -58,8 +58,9 @@ class FrameLights {
  private:
   void setIds(std::span<const std::uint32_t> ids);
   void setAll();
-  template <class Shines>
-  void findFresh(const Shines& shines);
+  /// `each` calls what it is given with whether a light shines, for all in their order.
+  template <class Each>
+  void findFresh(const Each& each);
 
   const LightSet* lights_ = nullptr;
   const PreparedLights* prepared_ = nullptr;
