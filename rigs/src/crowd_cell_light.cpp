@@ -1,7 +1,5 @@
 #include "crowd_cell_light.h"
 
-#include <rigel/far_lights.h>
-
 #include <algorithm>
 #include <bit>
 
@@ -25,6 +23,18 @@ bool same(const CrowdTree& a, const CrowdTree& b) noexcept {
   const auto bits = [](float x) { return std::bit_cast<std::uint32_t>(x); };
   return a.tree == b.tree && bits(a.target) == bits(b.target) && bits(a.cell) == bits(b.cell) &&
          bits(a.wrap) == bits(b.wrap);
+}
+
+/// Of uses sorted by their lights: each light once.
+void mergeUses(std::vector<LightUse>& uses) noexcept {
+  auto last = uses.begin();
+  for (const LightUse& use : uses) {
+    if (last != uses.begin() && (last - 1)->light == use.light)
+      (last - 1)->share = std::min(1.0f, (last - 1)->share + use.share);
+    else
+      *last++ = use;
+  }
+  uses.erase(last, uses.end());
 }
 
 }  // namespace
@@ -52,18 +62,21 @@ void CellLights::reserve(std::size_t uses, std::size_t rows) {
   }
   selection_.near.reserve(list);
   selection_.distant.reserve(list);
+  far_.reserve(uses, rows);
   slopes_.reserve(4 * rows);
   rows_ = rows;
 }
 
 void CellLights::begin(const FrameLights& lights) noexcept {
   asked_ = 0;
+  far_.begin();
   const std::uint64_t version = lights.tree().tree->version();
   if (version == version_ && same(tree_, lights.tree())) return;
   version_ = version;
   tree_ = lights.tree();
   young_.clear();
   old_.clear();
+  far_.clear();
 }
 
 void CellLights::beginBlock() noexcept {
@@ -86,7 +99,7 @@ std::size_t CellLights::find(const FrameLights& lights, const Cell& cell) {
 
 template <int B>
 void CellLights::select(const FrameLights& lights, const Cell& cell) {
-  static_assert(sizeof(RadianceSH<B>) == 3 * shCount(B) * sizeof(float));
+  const FarLight& far = far_.find<B>(lights, cell);
   const CellBall ball = ballOf(cell, tree_.cell);
   LightQuery query;
   query.centre = ball.centre;
@@ -95,28 +108,29 @@ void CellLights::select(const FrameLights& lights, const Cell& cell) {
   query.wrap = tree_.wrap;
   query.groups = cell.groups;
   query.everywhere = true;
-  tree_.tree->select(query, selection_);
+  tree_.tree->select(query, &far.rest, selection_);
   ++asked_;
 
   Entry entry;
   entry.cell = cell;
   const auto isSingle = [&](const LightUse& use) { return use.light < static_cast<std::uint32_t>(lights.count()); };
   std::ranges::sort(selection_.near, {}, &LightUse::light);
+  mergeUses(selection_.near);
   const auto count = [&](const std::vector<LightUse>& uses) { return std::ranges::count_if(uses, isSingle); };
   entry.single = static_cast<std::size_t>(count(selection_.near));
-  entry.rest.lights = static_cast<int>(count(selection_.near) + count(selection_.distant));
-  entry.rest.clusters = static_cast<int>(selection_.near.size() + selection_.distant.size()) - entry.rest.lights;
+  const auto singles = static_cast<int>(count(selection_.near) + count(selection_.distant));
+  const auto all = static_cast<int>(selection_.near.size() + selection_.distant.size());
+  entry.rest.lights = singles + far.lights;
+  entry.rest.clusters = all - singles + far.clusters;
   entry.rest.centre = ball.centre;
   entry.rest.bound = selection_.bound;
   entry.rest.mean = selection_.mean;
-  entry.distant = !selection_.distant.empty();
+  entry.distant = far.lights + far.clusters > 0 || !selection_.distant.empty();
   if (entry.distant) {
-    const ProjectionWithGradient<B> far = projectFar<B>(lights.prepared(), selection_.distant, ball.centre);
-    for (std::size_t row = 0; row < rows_; ++row) {
-      slopes_.data()[4 * row] = far.value.data()[row];
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        slopes_.data()[4 * row + 1 + axis] = far.gradient.d[axis].data()[row];
-    }
+    std::fill_n(slopes_.data(), 4 * rows_, 0.0f);
+    addSlopes(far, rows_, ball.centre, slopes_.data());
+    addSlopes(projectFar<B>(far.parts, ball.centre), slopes_.data());
+    addSlopes(projectFar<B>(lights.prepared(), selection_.distant, ball.centre), slopes_.data());
   }
   add(entry, selection_.near, slopes_.data());
 }
@@ -147,7 +161,7 @@ std::size_t CellLights::bytes() const noexcept {
            g.slots.capacity() * sizeof(std::uint16_t);
   };
   return of(young_) + of(old_) + (selection_.near.capacity() + selection_.distant.capacity()) * sizeof(LightUse) +
-         slopes_.bytes();
+         slopes_.bytes() + far_.bytes();
 }
 
 template std::size_t CellLights::find<2>(const FrameLights&, const Cell&);

@@ -6,6 +6,7 @@
 
 #include "aligned_array.h"
 #include "crowd_cells.h"
+#include "crowd_far_light.h"
 #include "crowd_lights.h"
 
 #include <span>
@@ -42,7 +43,7 @@ class CellLights {
   std::size_t find(const FrameLights& lights, const Cell& cell);
   CellLight operator[](std::size_t number) const noexcept;
 
-  std::uint64_t asked() const noexcept { return asked_; }  // since `begin`
+  std::uint64_t asked() const noexcept { return asked_ + far_.asked(); }  // since `begin`
   std::size_t bytes() const noexcept;
 
  private:
@@ -73,6 +74,7 @@ class CellLights {
   void add(const Entry& entry, std::span<const LightUse> near, const float* distant);
 
   Generation young_, old_;
+  FarLights far_;
   LightSelection selection_;
   AlignedArray<float> slopes_;
   std::size_t rows_ = 0;

@@ -61,6 +61,17 @@ std::uint64_t spread(std::uint64_t v) noexcept {
   return (v | v << 2) & 0x1249249249249249;
 }
 
+/// Of so many cells along each axis.
+CellBall ballOf(const Cell& cell, int cells, float size) noexcept {
+  constexpr float kSlack = 1 + 1e-5f;  // what float leaves of places
+  constexpr float kCorner = 1.5f;      // of a box of sides 2, 1, 2
+  static_assert(kCorner * kCorner == 2 + kHeight * kHeight);
+  const float s = std::ldexp(size, cell.level), side = static_cast<float>(cells);
+  const auto middle = [&](std::int32_t i) { return static_cast<float>(i) * (side * s); };
+  return {{middle(cell.x), middle(cell.y) * kHeight, middle(cell.z)},
+          s * (kCorner * (0.5f * side + kBand) + kLargest) * kSlack};
+}
+
 }  // namespace
 
 int cellsOf(Vec3 centre, float radius, float size, std::uint32_t groups, CellShare* out) noexcept {
@@ -78,14 +89,18 @@ int cellsOf(Vec3 centre, float radius, float size, std::uint32_t groups, CellSha
   return count + addLevel(centre, 2 * size, cell, above, out + count);
 }
 
-CellBall ballOf(const Cell& cell, float size) noexcept {
-  constexpr float kSlack = 1 + 1e-5f;                              // what float leaves of places
-  constexpr float kSides = 0.5f + kBand, kCorner = 1.5f * kSides;  // of a box of sides 1, 1/2, 1
-  static_assert(kCorner * kCorner == kSides * kSides * (2 + kHeight * kHeight));
-  const float s = std::ldexp(size, cell.level);
-  const auto middle = [s](std::int32_t i) { return static_cast<float>(i) * s; };
-  return {{middle(cell.x), middle(cell.y) * kHeight, middle(cell.z)}, s * (kCorner + kLargest) * kSlack};
+CellBall ballOf(const Cell& cell, float size) noexcept { return ballOf(cell, 1, size); }
+
+Cell regionOf(const Cell& cell) noexcept {
+  static_assert(kRegionSide % 2 == 1);  // a cell is in its middle
+  const auto part = [](std::int32_t i) {
+    const std::int32_t from = i + kRegionSide / 2;
+    return from / kRegionSide - (from % kRegionSide < 0 ? 1 : 0);
+  };
+  return {part(cell.x), part(cell.y), part(cell.z), cell.level, cell.groups};
 }
+
+CellBall ballOfRegion(const Cell& region, float size) noexcept { return ballOf(region, kRegionSide, size); }
 
 std::uint64_t placeKey(Vec3 p, float size) noexcept {
   // Eight parts of a cell along each axis, so that those who stand together in one share a block.

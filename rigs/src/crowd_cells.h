@@ -38,6 +38,13 @@ struct CellBall {
 };
 CellBall ballOf(const Cell& cell, float size) noexcept;
 
+/// The region of kRegionSide^3 cells that a cell is in, numbered as cells are: its middle is at x, y, z times its own
+/// size, half of that along y.
+inline constexpr int kRegionSide = 5;
+Cell regionOf(const Cell& cell) noexcept;
+/// What holds the balls of all cells of a region.
+CellBall ballOfRegion(const Cell& region, float size) noexcept;
+
 /// Sorting by it brings together what is near in space (Morton 1966). Places that are not finite come last.
 std::uint64_t placeKey(Vec3 p, float size) noexcept;
 /// Keys of one cell of level 0 are alike but for these bits.

@@ -1,4 +1,5 @@
-// A ball, its field, and where slopes do: what light_tree_select.cpp asks of one light or cluster.
+// A ball, its field, and where slopes do: what light_tree_select.cpp and light_tree_distant.cpp ask of one light or
+// cluster, and how they get to it.
 #pragma once
 
 #include <rigel/wrap.h>
@@ -9,6 +10,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <type_traits>
 
 namespace rigel {
 
@@ -29,10 +32,18 @@ inline UnitField unitField(float wrap) noexcept {
 
 class BallQuery {
  public:
-  BallQuery(const detail::LightTreeState& state, const LightQuery& query, LightSelection& out) noexcept
-      : s_(state), q_(query), out_(out), field_(unitField(query.wrap)), b_(std::max(0.0f, query.radius)) {}
+  /// Of what `from` has left; null: of all lights.
+  BallQuery(const detail::LightTreeState& state, const LightQuery& query, const LightCut* from) noexcept
+      : s_(state), q_(query), from_(from), field_(unitField(query.wrap)), b_(std::max(0.0f, query.radius)) {}
 
  protected:
+  /// A node that is looked at, or one whose lights are.
+  struct Entry {
+    std::size_t node;
+    float weight;
+    float dark;  // least of the ancestors' shares of u
+  };
+
   /// A light or cluster from the ball.
   struct View {
     Vec3 between;
@@ -44,6 +55,57 @@ class BallQuery {
     const Vec3 between = q_.centre - place;
     const float distance = length(between);
     return {between, distance, std::max(0.0f, distance - b_)};
+  }
+
+  template <class Place>
+  View viewOf(const Place& place) const noexcept {
+    return view({place.x, place.y, place.z});
+  }
+
+  template <bool Dimmed>
+  DimmingRange dimmed(std::size_t at, const TreeNode& node, const View& v) const noexcept {
+    if constexpr (Dimmed)
+      return dimming(s_.nodeModulation[at - s_.firstDimmedNode], v.between, v.distance, node.reach + b_);
+    return {};
+  }
+
+  template <bool Dimmed>
+  DimmingRange dimmed(std::size_t slot, const TreeLight& light, const View& v, float reach) const noexcept {
+    if constexpr (Dimmed)
+      return dimming(s_.lightModulation[slot - s_.firstDimmedLight], v.between, v.distance, light.reach + reach);
+    return {};
+  }
+
+  /// f(tree, whether its lights are dimmed) for the trees of the groups.
+  template <class F>
+  void forEachTree(F&& f) const {
+    for (const Tree& tree : s_.trees) {
+      if ((tree.groups & q_.groups) == 0) continue;
+      if (tree.dimmed())
+        f(tree, std::true_type{});
+      else
+        f(tree, std::false_type{});
+    }
+  }
+
+  std::uint32_t numberOf(const Tree& tree) const noexcept {
+    return static_cast<std::uint32_t>(&tree - s_.trees.data());
+  }
+  std::uint32_t useOf(std::size_t node) const noexcept { return static_cast<std::uint32_t>(s_.slotOf.size() + node); }
+
+  /// Walks the tree, or what is left of it: `cluster(node index, node, entry)` returns how much of a cluster stays
+  /// closed, `light(slot, entry)` gets the lights of opened leaves.
+  template <class Cluster, class Light>
+  void walk(const Tree& tree, Cluster&& cluster, Light&& light) {
+    if (from_ == nullptr) return walkFrom(tree, {1, 1, 1}, cluster, light);
+    for (const LightCut::Part& part :
+         std::ranges::equal_range(from_->open, numberOf(tree), {}, &LightCut::Part::tree)) {
+      const Entry entry{part.at & ~kLightPart, part.weight, 1};
+      if ((part.at & kLightPart) == 0)
+        walkFrom(tree, entry, cluster, light);
+      else
+        walkLight(entry.node, entry, light);
+    }
   }
 
   /// The distance at which a light counts among those that slopes may stand for.
@@ -62,26 +124,16 @@ class BallQuery {
   /// Share that goes to every sample, because slopes do not follow it there: all of it where the error is beyond the
   /// limit.
   float nearShare(float error, float limit, float distance, float reach) const noexcept {
+    return nearShare(error, limit, distance, reach, b_, kSlopesDo);
+  }
+  static float nearShare(float error, float limit, float distance, float reach, float ball, float slopesDo) noexcept {
     // The usual case, without a division.
-    const float enough = kSlopeReach * (reach + b_);
-    if (error <= kSlopesDo * limit && distance >= (1 + kSlopeBand) * enough) return 0;
+    const float enough = kSlopeReach * (reach + ball);
+    if (error <= slopesDo * limit && distance >= (1 + kSlopeBand) * enough) return 0;
     if (!(limit > 0)) return 1;
-    const float wrong = smoothstep((error / limit - kSlopesDo) / (1 - kSlopesDo));
+    const float wrong = smoothstep((error / limit - slopesDo) / (1 - slopesDo));
     const float close = enough > 0 ? 1 - smoothstep((distance / enough - 1) / kSlopeBand) : 0;
     return std::max(wrong, close);
-  }
-
-  void push(std::uint32_t light, float share, float near) {
-    share = std::min(share, 1.0f);
-    if (near > 0) out_.near.push_back({light, share * near});
-    if (near < 1) out_.distant.push_back({light, share * (1 - near)});
-  }
-
-  void finish(double bound) noexcept {
-    // What errors and their shares are good to in float, the rounding of moments included.
-    constexpr double kFloatSlack = 1 + 2e-5;
-    out_.bound = static_cast<float>(bound * kFloatSlack);
-    out_.worst = static_cast<float>(bound * kFloatSlack * (field_.peak / field_.rms));
   }
 
   /// tau of a budget [W/m2] for lights of which the u sum to `sum`. No more than keeps expansions where they converge.
@@ -90,13 +142,46 @@ class BallQuery {
     return budget > 0 ? static_cast<float>(std::min(kLargest, budget / std::max(sum, 1e-30))) : 0;
   }
 
+  static constexpr std::uint32_t kLightPart = 0x80000000u;  // of LightCut::Part::at: a light's slot, not a node
+
   const detail::LightTreeState& s_;
   const LightQuery& q_;
-  LightSelection& out_;
+  const LightCut* from_;
   UnitField field_;
   float b_;
+  int visited_ = 0;
 
  private:
+  template <class Cluster, class Light>
+  void walkFrom(const Tree& tree, const Entry& start, Cluster&& cluster, Light&& light) {
+    Entry stack[64];
+    int count = 0;
+    stack[count++] = start;
+    while (count > 0) {
+      Entry entry = stack[--count];
+      const std::size_t at = tree.firstNode + entry.node;
+      ++visited_;
+      if (!(s_.nodes[at].power > 0)) continue;
+      const float closed = cluster(at, s_.nodes[at], entry);
+      if (!(closed < 1)) continue;
+      entry.weight *= 1 - closed;
+      if (entry.node < tree.leaves()) {
+        stack[count++] = {2 * entry.node, entry.weight, entry.dark};
+        stack[count++] = {2 * entry.node + 1, entry.weight, entry.dark};
+        continue;
+      }
+      const std::size_t end = tree.leafStart(entry.node - tree.leaves() + 1);
+      for (std::size_t slot = tree.leafStart(entry.node - tree.leaves()); slot < end; ++slot)
+        walkLight(slot, entry, light);
+    }
+  }
+
+  template <class Light>
+  void walkLight(std::size_t slot, const Entry& entry, Light&& light) {
+    ++visited_;
+    if (s_.lights[slot].power > 0) light(slot, entry);
+  }
+
   // Slopes are enough from this many radii on, and comfortably so at this share more.
   static constexpr float kSlopeReach = 3;
   static constexpr float kSlopeBand = 0.25f;

@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 
 namespace rigel {
 namespace {
@@ -34,7 +33,12 @@ float meanOf(float d, float r) noexcept {
 
 class Query : BallQuery {
  public:
-  using BallQuery::BallQuery;
+  Query(const LightTreeState& state, const LightQuery& query, const LightCut* from, LightSelection& out) noexcept
+      : BallQuery(state, query, from), out_(out) {
+    if (from == nullptr) return;
+    mean_ = from->mean;
+    bound_ = from->bound;
+  }
 
   void run() {
     const float slopes = std::clamp(q_.slopeShare, 0.0f, 1.0f);
@@ -47,92 +51,25 @@ class Query : BallQuery {
     forEachTree([&](const Tree& tree, auto dimmed) { measure<dimmed.value>(tree); });
     out_.mean = static_cast<float>(mean_);
     out_.reference = q_.reference > 0 ? q_.reference : out_.mean;
-    const double budget = static_cast<double>(std::max(0.0f, q_.target)) * out_.reference;
+    const double budget = static_cast<double>(std::max(0.0f, q_.target)) * out_.reference - bound_;
     tau_ = tauOf((1 - slopes) * budget, clusters_);
     slopeTau_ = tauOf(slopes * budget, all_);
     k_ = std::max(coarse_, std::sqrt(3 * field_.rms / tau_));
     x_ = 2 * field_.rms / tau_;
     forEachTree([&](const Tree& tree, auto dimmed) { take<dimmed.value>(tree); });
-    finish(bound_);
+    finish();
   }
 
  private:
-  template <bool Value>
-  using Flag = std::bool_constant<Value>;
-
-  struct Entry {
-    std::size_t node;
-    float weight;
-    float dark;  // least of the ancestors' shares of u
-  };
-
-  template <class F>
-  void forEachTree(F&& f) {
-    for (const Tree& tree : s_.trees) {
-      if ((tree.groups & q_.groups) == 0) continue;
-      if (tree.dimmed())
-        f(tree, Flag<true>{});
-      else
-        f(tree, Flag<false>{});
-    }
-  }
-
-  template <class Place>
-  View viewOf(const Place& place) const noexcept {
-    return view({place.x, place.y, place.z});
-  }
-
   void addLone() {
     for (const LoneLight& light : s_.lone) {
       if ((light.groups & q_.groups) == 0) continue;
-      ++out_.visited;
+      ++visited_;
       if (!light.shines) continue;
       const bool distant = light.directional && slopes_;
       (distant ? out_.distant : out_.near).push_back({light.light, 1});
       mean_ += static_cast<double>(field_.mean) * light.mean;
     }
-  }
-
-  /// Walks the tree: `cluster(node index, node, entry)` returns how much of a cluster stays closed, `light(slot,
-  /// entry)` gets the lights of opened leaves.
-  template <class Cluster, class Light>
-  void walk(const Tree& tree, Cluster&& cluster, Light&& light) {
-    Entry stack[64];
-    int count = 0;
-    stack[count++] = {1, 1, 1};
-    while (count > 0) {
-      Entry entry = stack[--count];
-      const std::size_t at = tree.firstNode + entry.node;
-      ++out_.visited;
-      if (!(s_.nodes[at].power > 0)) continue;
-      const float closed = cluster(at, s_.nodes[at], entry);
-      if (!(closed < 1)) continue;
-      entry.weight *= 1 - closed;
-      if (entry.node < tree.leaves()) {
-        stack[count++] = {2 * entry.node, entry.weight, entry.dark};
-        stack[count++] = {2 * entry.node + 1, entry.weight, entry.dark};
-        continue;
-      }
-      const std::size_t end = tree.leafStart(entry.node - tree.leaves() + 1);
-      for (std::size_t slot = tree.leafStart(entry.node - tree.leaves()); slot < end; ++slot) {
-        ++out_.visited;
-        if (s_.lights[slot].power > 0) light(slot, entry);
-      }
-    }
-  }
-
-  template <bool Dimmed>
-  DimmingRange dimmed(std::size_t at, const TreeNode& node, const View& v) const noexcept {
-    if constexpr (Dimmed)
-      return dimming(s_.nodeModulation[at - s_.firstDimmedNode], v.between, v.distance, node.reach + b_);
-    return {};
-  }
-
-  template <bool Dimmed>
-  DimmingRange dimmed(std::size_t slot, const TreeLight& light, const View& v, float reach) const noexcept {
-    if constexpr (Dimmed)
-      return dimming(s_.lightModulation[slot - s_.firstDimmedLight], v.between, v.distance, light.reach + reach);
-    return {};
   }
 
   /// How much of a cluster is closed at a distance where all of it may be from `enough` on.
@@ -236,7 +173,7 @@ class Query : BallQuery {
       const float far = 1 / v.least;
       bound_ += near * errorOf(node, level, swing, v.least, square, 0) * power * (far * far);
     }
-    push(static_cast<std::uint32_t>(s_.slotOf.size() + at), weight * level, near);
+    push(useOf(at), weight * level, near);
     return closed;
   }
 
@@ -271,6 +208,21 @@ class Query : BallQuery {
     push(light.light, entry.weight, near);
   }
 
+  void push(std::uint32_t light, float share, float near) {
+    share = std::min(share, 1.0f);
+    if (near > 0) out_.near.push_back({light, share * near});
+    if (near < 1) out_.distant.push_back({light, share * (1 - near)});
+  }
+
+  void finish() noexcept {
+    // What errors and their shares are good to in float, the rounding of moments included.
+    constexpr double kFloatSlack = 1 + 2e-5;
+    out_.bound = static_cast<float>(bound_ * kFloatSlack);
+    out_.worst = static_cast<float>(bound_ * kFloatSlack * (field_.peak / field_.rms));
+    out_.visited = visited_;
+  }
+
+  LightSelection& out_;
   double clusters_ = 0;  // U
   double all_ = 0;       // the same of everything that slopes may stand for, by the distance of the centres
   double mean_ = 0;
@@ -281,13 +233,15 @@ class Query : BallQuery {
 
 }  // namespace
 
-void LightTree::select(const LightQuery& query, LightSelection& out) const {
+void LightTree::select(const LightQuery& query, LightSelection& out) const { select(query, nullptr, out); }
+
+void LightTree::select(const LightQuery& query, const LightCut* from, LightSelection& out) const {
   out.near.clear();
   out.distant.clear();
   out.bound = out.worst = out.reference = out.mean = 0;
   out.visited = 0;
   if (state_->counts[0] == LightTreeState::kNotBuilt) return;
-  Query(*state_, query, out).run();
+  Query(*state_, query, from, out).run();
 }
 
 }  // namespace rigel

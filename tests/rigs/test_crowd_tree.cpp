@@ -2,6 +2,7 @@
 #include <rigel/wrap.h>
 
 #include "crowd_cells.h"
+#include "crowd_far_light.h"
 #include "crowd_fixture.h"
 #include "random_light_cloud.h"
 
@@ -178,6 +179,31 @@ TEST(CrowdTree, IsWithinItsBoundAmongAllKindsOfLights) {
     // Lights in one place cannot be told apart by what is near.
     EXPECT_LE(departure<3>(lights, 0.1f, 8, 0, false).most, 1) << i;
   }
+}
+
+// Lamps that wander, and most of the light from beyond the regions that are asked about first.
+TEST(CrowdTree, IsWithinItsBoundWhereLampsMove) {
+  Walkers<3> walkers(20);
+  walkers.stage.asked = {nullptr, 0.2f, 4};
+  Departure worst;
+  std::uint64_t clusters = 0;
+  for (int f = 0; f < 4; ++f) {
+    walkers.stage.lights = lampCity(60, 10 + 0.1f * static_cast<float>(f), 3);
+    walkers.place(0.3f * static_cast<float>(f), 20);
+    const CrowdStats stats = walkers.stage.frame(1.0f / 60);
+    EXPECT_LE(stats.merged, 0.2f);
+    clusters += stats.clusters;
+    const Departure d = departureOf(walkers, stats);
+    worst.most = std::max(worst.most, d.most);
+    worst.rms = std::max(worst.rms, d.rms);
+    worst.bound = std::max(worst.bound, d.bound);
+  }
+  EXPECT_LE(worst.most, 1);
+  EXPECT_GT(worst.bound, 0.02);
+  EXPECT_GT(clusters, 4u * 20 * 20);
+  RecordProperty("most", std::to_string(worst.most));
+  RecordProperty("rms", std::to_string(worst.rms));
+  RecordProperty("bound", std::to_string(worst.bound));
 }
 
 // Without clusters or slopes it is the crowd without a tree.
@@ -431,6 +457,47 @@ TEST(CrowdCells, SharesAreContinuousAndSumToOne) {
   // A millimetre in bands of half a metre and a quarter: at most 3 per mill, 6 and 3, and as much as the level.
   EXPECT_LT(worst, 0.012);
   EXPECT_GT(worst, 0.001);
+}
+
+TEST(CrowdCells, RegionsHoldTheirCells) {
+  constexpr int kHalf = kRegionSide / 2;
+  for (const std::int32_t i : {-123456, -8, -7, -3, -2, -1, 0, 1, 2, 3, 7, 8, 123456})
+    for (const std::int32_t level : {0, 3}) {
+      const Cell cell{i, -i, i + 1, level, 5};
+      const Cell region = regionOf(cell);
+      EXPECT_EQ(region.level, level);
+      EXPECT_EQ(region.groups, 5u);
+      EXPECT_LE(std::abs(cell.x - kRegionSide * region.x), kHalf);
+      EXPECT_LE(std::abs(cell.y - kRegionSide * region.y), kHalf);
+      EXPECT_LE(std::abs(cell.z - kRegionSide * region.z), kHalf);
+      const CellBall ball = ballOf(cell, 8), all = ballOfRegion(region, 8);
+      EXPECT_LE(length(ball.centre - all.centre) + ball.radius, all.radius) << i;
+    }
+  // No larger than that needs.
+  const CellBall corner = ballOf({kHalf, kHalf, -kHalf}, 8), all = ballOfRegion({}, 8);
+  EXPECT_NEAR(length(corner.centre - all.centre) + corner.radius, all.radius, 1e-3);
+}
+
+// About the cell's centre they say what they say about the region's, at any point, and add to what is there.
+TEST(CrowdFarLight, SlopesMoveWithTheirCentre) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<float> unit(-1, 1);
+  constexpr std::size_t kRows = 27;
+  FarLight far;
+  far.centre = {40, -8, 16};
+  far.slopes.reserve(4 * kRows);
+  std::vector<float> before(4 * kRows);
+  for (std::size_t i = 0; i < 4 * kRows; ++i) far.slopes.data()[i] = unit(random), before[i] = unit(random);
+  const Vec3 centre{47, -3, 5}, p{49, -2, 8};
+  std::vector<float> after = before;
+  addSlopes(far, kRows, centre, after.data());
+  const auto at = [&](const float* row, Vec3 about) {
+    double sum = row[0];
+    for (int axis = 0; axis < 3; ++axis) sum += double{row[1 + axis]} * (double{p[axis]} - double{about[axis]});
+    return sum;
+  };
+  for (std::size_t row = 0; row < 4 * kRows; row += 4)
+    EXPECT_NEAR(at(&after[row], centre), at(&before[row], centre) + at(far.slopes.data() + row, far.centre), 1e-5);
 }
 
 TEST(CrowdCells, AbsurdPlacesHaveCells) {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <memory>
 #include <random>
+#include <utility>
 
 namespace rigel::tools {
 namespace {
@@ -56,10 +57,23 @@ std::vector<Vec3> places() {
   return out;
 }
 
+/// The same people, each by himself, over all of the large city.
+std::vector<Vec3> placesApart() {
+  constexpr int kSide = 32;
+  static_assert(kSide * kSide == kPacks * kPackSize);
+  constexpr float kApart = 290;  // m
+  std::vector<Vec3> out;
+  for (int i = 0; i < kSide * kSide; ++i) {
+    const auto along = [](int n) { return kApart * (static_cast<float>(n) - 0.5f * (kSide - 1)); };
+    out.push_back({along(i % kSide), 0.9f, along(i / kSide)});
+  }
+  return out;
+}
+
 /// People who walk, 1.4 m/s at 60 frames a second, to and fro over eight metres.
 class CrowdInCity {
  public:
-  explicit CrowdInCity(int lamps) : lights_(lampCity(lamps)) {
+  explicit CrowdInCity(int lamps, std::vector<Vec3> at = places()) : lights_(lampCity(lamps)), places_(std::move(at)) {
     tree_.build(lights_);
     prepare(lights_, tree_, prepared_);
     const std::vector<Vec3> surface = bodySurface();
@@ -93,7 +107,7 @@ class CrowdInCity {
   LightSet lights_;
   LightTree tree_;
   PreparedLights prepared_;
-  std::vector<Vec3> places_ = places();
+  std::vector<Vec3> places_;
   Crowd<3> crowd_;
   std::vector<CrowdId> ids_;
   std::vector<GpuRig> rigs_;
@@ -111,6 +125,15 @@ void addCity(std::vector<BenchCase>& cases, const std::string& name, const std::
                      std::unique_ptr<CrowdInCity>& one = (*cities)[city];
                      if (!one) one = std::make_unique<CrowdInCity>(city == 0 ? 1000 : 100000);
                      for (auto _ : state) one->light(anew);
+                   }});
+}
+
+/// Nobody shares an answer.
+void addApart(std::vector<BenchCase>& cases) {
+  cases.push_back({"crowd.lights_anew_apart", "us/object", kPacks * kPackSize, 1e3, "crowd.lights_anew_scaling",
+                   [](benchmark::State& state) {
+                     CrowdInCity city(100000, placesApart());
+                     for (auto _ : state) city.light(true);
                    }});
 }
 
@@ -158,6 +181,7 @@ void addCrowdLightCases(std::vector<BenchCase>& cases) {
   addCity(cases, "crowd.lights_scaling", "crowd.lights_1000", cities, 1, false);
   addCity(cases, "crowd.lights_anew_1000", "", cities, 0, true);
   addCity(cases, "crowd.lights_anew_scaling", "crowd.lights_anew_1000", cities, 1, true);
+  addApart(cases);
   addStructure(cases, "crowd.lights_build", 0);
   addPreparation(cases);
   addStructure(cases, "crowd.lights_refit", 1);

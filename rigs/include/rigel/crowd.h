@@ -112,8 +112,9 @@ struct CrowdResult {
 };
 
 /// Where there are many lights: what a frame asks a tree over them. Characters that are in one cell of a grid over the
-/// world share one question, asked of all of the cell, and so what they get depends on where they are and on the lights
-/// alone, not on their neighbours. Between cells, over 1/16 of their size, shares of both make what is seen continuous.
+/// world share one question, asked of all of the cell, and cells in one region of 5^3 what is distant for all of it. So
+/// what they get depends on where they are and on the lights alone, not on their neighbours. Between cells, over 1/16
+/// of their size, shares of both make what is seen continuous.
 struct CrowdTree {
   const LightTree* tree = nullptr;  // of the same lights, as they are; null: all lights one by one
   float target = 0.1f;              // LightQuery::target: the share of the light that may be dropped or merged at most
@@ -170,7 +171,7 @@ struct CrowdStats {
   std::uint64_t lights = 0;    // taken one by one
   std::uint64_t clusters = 0;  // taken in place of others
   float merged = 0;            // largest share of anybody's light that clusters and slopes may be wrong by; a bound
-  std::uint64_t asked = 0;     // of the tree; more where more tasks ask for themselves
+  std::uint64_t asked = 0;     // of the tree, for cells and regions; more where more tasks ask for themselves
 };
 
 /// Update rates. A character of interval n is updated in one frame of n (different ones in different frames) and shows,
@@ -186,7 +187,7 @@ template <int B>
 class Crowd {
  public:
   /// `tasks`: into how many a frame is cut at most, that is, the most threads it can use. Each has about 0.1 MB of
-  /// scratch memory for `poly:6`, and with a tree 1.4 MB more.
+  /// scratch memory for `poly:6`, and with a tree 1.8 MB more.
   explicit Crowd(int tasks = 1);
   Crowd(Crowd&&) noexcept;
   Crowd& operator=(Crowd&&) noexcept;
@@ -211,10 +212,11 @@ class Crowd {
 
   /// Lights and packs all visible characters; nothing else of the crowd may be called meanwhile. `seconds` since the
   /// last call; not positive or not finite: a cut for all. Allocates only while lights grow in number. Linear in
-  /// characters x lights; with a tree in characters and cells, where what is asked grows with the logarithm of the
-  /// lights, and nothing is asked again while the tree stays as it is and a task's characters are in 256 cells or less.
-  /// Beyond 1024 lights one by one a place allocates in its task, and where that fails this throws std::bad_alloc after
-  /// all tasks are done. Characters beyond 1e15 m are dark then.
+  /// characters x lights; with a tree in characters, cells and regions, where what is asked of a region grows with the
+  /// logarithm of the lights, and nothing is asked again while the tree stays as it is and a task's characters are in
+  /// 256 cells or less. Beyond 1024 lights one by one a place, and 512 lights and clusters for a region's cells, its
+  /// task allocates, and where that fails this throws std::bad_alloc after all tasks are done. Characters beyond 1e15 m
+  /// are dark then.
   CrowdStats frame(const CrowdLights& lights, float seconds, const CrowdOutput& output, ParallelFor parallel = {},
                    CrowdProbe probe = {});
 

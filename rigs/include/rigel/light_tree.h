@@ -51,6 +51,17 @@ struct LightSelection {
   int visited = 0;      // nodes and lights looked at
 };
 
+/// What LightTree::takeDistant has left of the lights, and an account of what it has taken: where `select` goes on.
+struct LightCut {
+  struct Part {
+    std::uint32_t tree = 0, at = 0;  // the tree's own numbers
+    float weight = 0;
+  };
+  std::vector<Part> open;
+  // Of what has been taken, anywhere in the ball [W/m2]: as LightSelection's.
+  double bound = 0, mean = 0;
+};
+
 /// Build it, refit it or let `update` choose, once a frame; then any number of threads may select.
 ///
 /// Directional lights and those beyond 1e15 m or 1e20 W/sr are always by themselves; lights that hold a NaN, have no
@@ -96,6 +107,22 @@ class LightTree {
   /// general. The same bits on every thread. Continuous in positions, colours, cones and the query, but for a light
   /// that is switched on.
   void select(const LightQuery& query, LightSelection& out) const;
+  /// Goes on where takeDistant has stopped, for a ball within its ball; null: from the beginning. Bound and mean are of
+  /// both together, and so is what the target allows. A light may be listed more than once.
+  void select(const LightQuery& query, const LightCut* from, LightSelection& out) const;
+
+  /// For many balls of radius `part` [m] within a large one: takes the lights and clusters out of which each is at most
+  /// query.target of its own light wrong, anywhere in the large ball, by
+  ///
+  ///   whole   value and slope at the large ball's centre,
+  ///   parts   value and slope at a small ball's own centre,
+  ///
+  /// and leaves the others to `select`: all directional lights, and what is close, unseen. So what many balls see alike
+  /// is looked at once. Clears and fills all three; allocates only while they grow. Continuous as `select` is.
+  /// query.slopeShare, reference and everywhere do not count. `rest` is good until the tree changes, for queries of the
+  /// same groups and wrap.
+  void takeDistant(const LightQuery& query, float part, std::vector<LightUse>& whole, std::vector<LightUse>& parts,
+                   LightCut& rest) const;
 
  private:
   std::unique_ptr<detail::LightTreeState> state_;
