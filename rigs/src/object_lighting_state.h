@@ -55,7 +55,7 @@ struct ObjectLighting<B>::State {
     slots = options.slots();
     nearFar.options().slots = slots;
     // With slots to spare a light may take its time to leave: the rig has it before it is gone.
-    if (chooses() && slots == kMaxNearLights) nearFar.options().fallShare = kFallShare;
+    if (hasSlotsToSpare()) nearFar.options().fallShare = kFallShare;
     if (chooses()) nearFar.options().approachRate = kApproachRate;
     if (options.wrap != 0) options.cost.nearLight = options.cost.nearWrap;
     functionals.resize(rig.projections());
@@ -68,9 +68,8 @@ struct ObjectLighting<B>::State {
   }
 
   bool chooses() const noexcept { return options.target.kind != LightingTarget::Kind::none; }
-  /// Speeds tell which disks will be touched where there are slots for all of them. Where there are few, a light must
-  /// be expected earlier: another has to leave its slot first.
-  bool watchesFaces() const noexcept { return chooses() && !options.nearSlots; }
+  /// As many slots as there are: no light has to leave one before another can enter.
+  bool hasSlotsToSpare() const noexcept { return chooses() && slots == kMaxNearLights; }
   bool adaptive() const noexcept { return check.nested().has_value(); }
 
   void setPose(const RigPose& pose, const RigFrame& worldFromRig) noexcept {
@@ -106,7 +105,7 @@ struct ObjectLighting<B>::State {
     urgent.resize(count);
     culled.resize(count);
     verdicts.resize(count);
-    if (watchesFaces()) faces.begin(seconds, lights.size());
+    if (hasSlotsToSpare()) faces.begin(seconds, lights.size());
     for (int i = 0; i < count; ++i) {
       const auto id = ids.empty() ? static_cast<std::uint32_t>(i) : ids[i];
       lights.visit(i, [&](const auto& light) {
@@ -115,7 +114,8 @@ struct ObjectLighting<B>::State {
         errors[i] = lighting::orNothing(bound.error * size);
         peaks[i] = lighting::orNothing(bound.peak * size);
         culled[i] = peaks[i] > 0 ? 0 : 1;
-        const float contact = watchesFaces() ? faces.share(id, bound.gap) : FaceContact::shareAtAnySpeed(bound.gap);
+        // Where slots are few, a light must be expected earlier: another has to leave its slot first.
+        const float contact = hasSlotsToSpare() ? faces.share(id, bound.gap) : FaceContact::shareAtAnySpeed(bound.gap);
         contacts[i] = size > 0 ? contact : 0;
         const float leap = static_cast<float>(kPi) * contacts[i] * size;
         urgent[i] = lighting::urgency(std::max(errors[i], leap), contacts[i]);
@@ -306,7 +306,7 @@ struct ObjectLighting<B>::State {
       urgent[i] = std::max(urgent[i], peaks[i]);
     }
     // No light leaves before the rig can take it.
-    if (adaptive() && slots == kMaxNearLights)
+    if (adaptive() && hasSlotsToSpare())
       nearFar.options().fallShare = kFallShare * tradeOff.readiness(choice, lastCoefficients);
     nearFar.follow(lightWeights, ids, seconds, urgent);
     candidateWeights.resize(candidates.size());

@@ -91,6 +91,22 @@ TEST(ObjectLighting, ManyPointsAsOneAfterAnother) {
   }
 }
 
+// As many slots as there are, asked for or left open: speeds tell which disks will be touched, and an object that
+// stands beside one has it in its rig. Where slots are few, it is near in good time.
+TEST(ObjectLighting, AllSlotsAskedForAreAllSlotsLeftOpen) {
+  LightSet lights;
+  lights.add(DiskLight{{2.1f, 0, 0}, {-1, 0, 0}, 0.2f, {0.1f, 0.1f, 0.1f}});  // 0.4 of the object's radius before it
+  lights.add(DirectionalLight{{0.2f, -1, 0.1f}, {5, 5, 5}});
+  const auto near = [&](std::optional<int> slots) {
+    LitBody<3> lit("auto", testBody(), optionsOf(Kind::spatialError, 0.3, slots));
+    lit.lighting.light(lights, 1.0f / 60);
+    return lit.lighting.nearLights().size();
+  };
+  EXPECT_EQ(near({}), 0u);
+  EXPECT_EQ(near(kMaxNearLights), 0u);
+  EXPECT_EQ(near(4), 1u);
+}
+
 TEST(ObjectLighting, VerdictsAreConsistent) {
   for (const std::string spec : {"auto", "poly:6", "constant"})
     for (const LightingOptions& options :
