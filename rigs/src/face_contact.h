@@ -53,7 +53,7 @@ class FaceContact {
   // Before the touch: the share begins to rise, and is all. Weights rise within 50 ms.
   static constexpr float kFrom = 0.09f, kTo = 0.03f;  // s
   // Radii a second. Who stands before a face may start to walk; and after a cut no speed is known.
-  static constexpr float kLeastSpeed = 2, kMostSpeed = 8;
+  static constexpr float kLeastSpeed = 1, kMostSpeed = 8;
   static constexpr float kWatched = 2;  // radii: far more than anything covers in kFrom
 
   std::vector<Face> last_, now_;

@@ -12,7 +12,9 @@
 namespace rigel {
 namespace {
 
-constexpr int kReferenceTerms = 6;  // a light's error is judged against a rig of this many coefficients
+// Lights are ranked by what this share of the coefficients leaves of each: those that a choice will have, or the order
+// tells what the rig would hold anyway. Of a total error most is beyond any rig, and rigs are smaller.
+constexpr float kSpatialShare = 0.75f, kTotalShare = 0.25f;
 // Levels reach down to this share of the largest error; a light below it stays in the rig.
 constexpr float kLeastLevel = 1e-12f;
 // A coefficient counts fully where the error without it is 0.9 times the target, not at all below 0.7 times: one that
@@ -20,7 +22,7 @@ constexpr float kLeastLevel = 1e-12f;
 constexpr float kActivation = 0.1f;
 constexpr float kFadeFrom = 0.7f, kFadeWidth = 0.2f;
 // A light is far where its error is at most the level's, near where it is 1 + kWindow times that.
-constexpr float kWindow = 0.25f;
+constexpr float kWindow = 0.1f;
 // The last frame's choice stands until another costs less by this share: two that cost about the same would take turns,
 // and weights on their way from one to the other cost as much as both.
 constexpr float kHeld = 0.03f;
@@ -141,7 +143,8 @@ void TradeOff::finishFar(const LightRows& rows, std::span<const float> damping, 
 }
 
 void TradeOff::build(const LightRows& rows, std::span<const float> damping, int slots, bool total) {
-  const int reference = std::min(kReferenceTerms, rows.nested);
+  const auto reference =
+      static_cast<std::ptrdiff_t>((total ? kTotalShare : kSpatialShare) * static_cast<float>(rows.nested));
   error_.resize(rows.lights);
   for (int i = 0; i < rows.lights; ++i) {
     const float* field = rows.fields.data() + static_cast<std::size_t>(i) * rows.block();

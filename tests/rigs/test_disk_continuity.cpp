@@ -16,6 +16,12 @@ struct Passage {
   std::string name;
   Vec3 from, velocity;
   bool crossesFace = false;
+  Vec3 acceleration{};
+
+  Vec3 at(double t) const {
+    const auto s = static_cast<float>(t);
+    return from + velocity * s + acceleration * (s * s / 2);
+  }
 };
 
 constexpr Vec3 kHalf{0.5f, 0.9f, 0.4f};
@@ -38,7 +44,8 @@ std::vector<Passage> passages() {
           {"past the rim, before the face", {0.56f, -2.4f, 0.1f}, {0, 3.2f, 0}},
           {"past the rim, into its plane and behind", {0.2f, 2.6f, 0.1f}, {-0.3f, -3.3f, 0.1f}, true},
           {"behind", {-0.7f, 2.2f, 0}, {0, -2.9f, 0}},
-          {"beside the rim, across the plane", {-1.5f, 2, 0.2f}, {2, 0, 0}}};
+          {"beside the rim, across the plane", {-1.5f, 2, 0.2f}, {2, 0, 0}},
+          {"from a stand behind the face", {-0.62f, 0.05f, 0.1f}, {}, true, {4, 0, 0}}};
 }
 
 struct Jump {
@@ -55,7 +62,7 @@ Jump drive(LitBody<3>& lit, const Body& body, const LightSet& lights, const Pass
   std::vector<std::array<double, 2>> last;
   lit.lighting.reset();
   for (int i = 0; i <= static_cast<int>(kSeconds * rate); ++i) {
-    lit.place(passage.from + passage.velocity * static_cast<float>(i / rate));
+    lit.place(passage.at(i / rate));
     lit.lighting.light(lights, static_cast<float>(1 / rate));
     const auto irradiance = shade();
     std::vector<std::array<double, 2>> now;

@@ -12,7 +12,7 @@ TEST(RigSpec, CountsShVectors) {
       {"constant", 1},       {"gradient", 4},           {"gradient@numeric", 4},  {"lattice:3x2x2", 12},
       {"lattice:8x4x2", 64}, {"lattice:1x1x1", 1},      {"mixed:l3,g,c", 6},      {"mixed:xyz:c,c,l5", 5},
       {"mixed:l2,l3,g", 12}, {"mixed:l2,g,g", 6},       {"mixed:g,g,g", 4},       {"poly:12", 12},
-      {"auto", 16},          {"invquad:6", 6},          {"auto:20", 20},          {"rbf:12", 12},
+      {"auto", 24},          {"invquad:6", 6},          {"auto:20", 20},          {"rbf:12", 12},
       {"rbf:64", 64},        {"latticegrad:2x2x1", 16}, {"latticegrad:1x1x1", 4}, {"hermite:3x2x2", 48}};
   for (const auto& [text, vectors] : cases) EXPECT_EQ(specOf(text).shVectors(), vectors) << text;
 }
@@ -86,7 +86,7 @@ TEST(RigSpec, AutoIsAnAdaptivePolynomial) {
   EXPECT_TRUE(spec.adaptive);
   EXPECT_FALSE(specOf("poly:9").adaptive);
   EXPECT_NE(spec, specOf("poly:9"));
-  EXPECT_EQ(specOf("auto"), specOf("auto:16"));
+  EXPECT_EQ(specOf("auto"), specOf("auto:24"));
 }
 
 TEST(RigSpec, ModelsThatWereDroppedAreOthersThanThoseTheyResemble) {

@@ -181,8 +181,8 @@ TEST(TradeOff, WeightsAreContinuousInTheLevelAndNeverOutnumberTheSlots) {
       }
       last = now;
     }
-    // smoothstep'(1/2) = 1.5, over a window of a quarter of a level at e / threshold = 1.125: 4.7 an octave.
-    EXPECT_LT(largest, 4.8f * kStep) << slots;
+    // smoothstep'(1/2) = 1.5, over a window of a tenth of a level at e / threshold = 1.05: 10.9 an octave.
+    EXPECT_LT(largest, 11 * kStep) << slots;
     EXPECT_EQ(now[0], 0);  // faded out
   }
 }

@@ -69,7 +69,7 @@ struct RigSpec {
 inline constexpr int kMaxAxisNodes = 64;
 inline constexpr int kMaxShVectors = 512;    // per rig
 inline constexpr int kMaxPolyTerms = 56;     // all monomials up to degree 5
-inline constexpr int kAutoTerms = 16;        // of `auto` without a number
+inline constexpr int kAutoTerms = 24;        // of `auto` without a number
 inline constexpr int kMaxGaussVectors = 64;  // every point sees all of them
 inline constexpr int kMaxLsqVectors = 64;    // least squares solves a dense K x K system each frame
 
