@@ -20,7 +20,8 @@ NestedFit::NestedFit(int points, int functions)
       basis_(phi_.size()),
       toGiven_(static_cast<std::size_t>(functions) * functions),
       steps_(phi_.size()),
-      analysis_(static_cast<std::size_t>(functions + points) * points),
+      analysis_(phi_.size()),
+      fitted_(phi_.size()),
       given_(toGiven_.size()),
       damping_(functions) {}
 
@@ -37,12 +38,16 @@ void NestedFit::factor(std::span<const float> shares) noexcept {
   orthonormalise();
   joinSteps();
   for (int j = 0; j < functions_; ++j) {
-    // Back from coefficients that are scaled to the energy they take (`analyse`).
-    const auto d = static_cast<double>(damping_[j]);
-    const double scale = std::sqrt(d / (2 - d));
+    const double scale = damped(j);
     for (int k = 0; k < functions_; ++k)
       given_[static_cast<std::size_t>(k) * functions_ + j] = static_cast<float>(given(j)[k] * scale);
   }
+}
+
+/// What function k takes over its coefficient, which is scaled to the energy that is taken (`analyse`).
+double NestedFit::damped(int k) const noexcept {
+  const auto d = static_cast<double>(damping_[k]);
+  return std::sqrt(d / (2 - d));
 }
 
 void NestedFit::orthonormalise() noexcept {
@@ -73,12 +78,9 @@ void NestedFit::orthonormalise() noexcept {
 /// The analysis takes function after function from the values r: a_k = q_k.r, r -= d_k a_k q_k. Only what the damped
 /// function takes: the direction of one that is nothing but rounding is random, and must not hide its part of the light
 /// from the functions after it. Of the values before the first step that is a_k = u_k.v, with
-///   u_k = q_k - sum_{j<k} d_j (q_j.q_k) u_j, and r = v - sum_k d_k q_k (u_k.v).
+///   u_k = q_k - sum_{j<k} d_j (q_j.q_k) u_j, and what is left in the end v - sum_k d_k q_k (u_k.v).
 void NestedFit::joinSteps() noexcept {
   const std::size_t count = points_;
-  float* left = &analysis_[static_cast<std::size_t>(functions_) * count];
-  std::fill_n(left, count * count, 0.0f);
-  for (std::size_t s = 0; s < count; ++s) left[s * count + s] = 1;
   for (int k = 0; k < functions_; ++k) {
     double* step = &steps_[static_cast<std::size_t>(k) * count];
     std::copy_n(function(k), count, step);
@@ -86,19 +88,19 @@ void NestedFit::joinSteps() noexcept {
       const double along = static_cast<double>(damping_[j]) * rowkernels::product(function(j), function(k), count);
       rowkernels::addScaled(-along, &steps_[static_cast<std::size_t>(j) * count], count, step);
     }
-    const float energy = std::sqrt(damping_[k] * (2 - damping_[k]));
-    float* row = &analysis_[static_cast<std::size_t>(k) * count];
-    for (std::size_t s = 0; s < count; ++s) row[s] = static_cast<float>(step[s]);
-    for (std::size_t s = 0; s < count; ++s)
-      rowkernels::addScaled(-damping_[k] * static_cast<float>(function(k)[s]), row, count, left + s * count);
-    for (std::size_t s = 0; s < count; ++s) row[s] *= energy;
+    const auto d = static_cast<double>(damping_[k]);
+    const double energy = std::sqrt(d * (2 - d)), taken = damped(k);
+    for (std::size_t s = 0; s < count; ++s) {
+      analysis_[static_cast<std::size_t>(k) * count + s] = static_cast<float>(energy * step[s]);
+      fitted_[s * static_cast<std::size_t>(functions_) + k] = static_cast<float>(taken * function(k)[s]);
+    }
   }
 }
 
 void NestedFit::analyse(const float* values, int width, float* coefficients, float* residuals) const noexcept {
   const std::size_t functions = functions_, points = points_;
   rowkernels::multiply(analysis_.data(), functions, points, values, width, coefficients);
-  rowkernels::multiply(&analysis_[functions * points], points, points, values, width, residuals);
+  rowkernels::subtractProduct(values, fitted_.data(), points, functions, coefficients, width, residuals);
 }
 
 void NestedFit::synthesise(const float* coefficients, int stride, int width, std::span<const float> weights,

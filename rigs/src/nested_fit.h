@@ -42,14 +42,15 @@ class NestedFit {
   double* given(int j) noexcept { return &toGiven_[static_cast<std::size_t>(j) * functions_]; }
   void orthonormalise() noexcept;
   void joinSteps() noexcept;
+  double damped(int k) const noexcept;
 
   std::vector<double> phi_;      // points x functions
   std::vector<double> basis_;    // functions x points: phi, then orthonormal, times sqrt(share)
   std::vector<double> toGiven_;  // functions x functions: orthonormal j is sum_k toGiven[j][k] phi_k
   std::vector<double> steps_;    // functions x points: what the steps before leave of each function
-  // Of the points' values: the coefficients and what is left of the values, (functions + points) x points.
-  std::vector<float> analysis_;
-  std::vector<float> given_;  // toGiven_ times damping, in float: of function k, for each orthonormal one
+  std::vector<float> analysis_;  // functions x points: coefficients from the points' values
+  std::vector<float> fitted_;    // points x functions: from coefficients, what they take of the values
+  std::vector<float> given_;     // toGiven_ times damping, in float: of function k, for each orthonormal one
   std::vector<float> damping_;
 };
 

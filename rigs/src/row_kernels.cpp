@@ -20,9 +20,10 @@ constexpr std::size_t kLanes64 = hn::MaxLanes(Tag64());
 // A tile of the product stays in registers.
 constexpr std::size_t kTileRows = 4;
 
-/// Some rows and columns of the product.
+/// Some rows and columns of `from` less the product, or of the product where `from` is null.
 template <std::size_t Rows, std::size_t Vectors>
-HWY_INLINE void tile(const float* matrix, std::size_t inner, const float* values, std::size_t width, float* out) {
+HWY_INLINE void tile(const float* from, const float* matrix, std::size_t inner, const float* values, std::size_t width,
+                     float* out) {
   const Tag tag;
   Vec sum[Rows][Vectors];
   for (std::size_t r = 0; r < Rows; ++r)
@@ -36,28 +37,36 @@ HWY_INLINE void tile(const float* matrix, std::size_t inner, const float* values
     }
   }
   for (std::size_t r = 0; r < Rows; ++r)
-    for (std::size_t v = 0; v < Vectors; ++v) hn::StoreU(sum[r][v], tag, out + r * width + v * kLanes);
+    for (std::size_t v = 0; v < Vectors; ++v) {
+      const std::size_t at = r * width + v * kLanes;
+      if (from != nullptr) sum[r][v] = hn::Sub(hn::LoadU(tag, from + at), sum[r][v]);
+      hn::StoreU(sum[r][v], tag, out + at);
+    }
 }
 
 template <std::size_t Rows>
-HWY_INLINE void tileRows(const float* matrix, std::size_t inner, const float* values, std::size_t width, float* out) {
+HWY_INLINE void tileRows(const float* from, const float* matrix, std::size_t inner, const float* values,
+                         std::size_t width, float* out) {
+  const auto fromColumn = [&](std::size_t i) { return from != nullptr ? from + i : nullptr; };
   std::size_t i = 0;
-  for (; i + 2 * kLanes <= width; i += 2 * kLanes) tile<Rows, 2>(matrix, inner, values + i, width, out + i);
-  for (; i + kLanes <= width; i += kLanes) tile<Rows, 1>(matrix, inner, values + i, width, out + i);
+  for (; i + 2 * kLanes <= width; i += 2 * kLanes)
+    tile<Rows, 2>(fromColumn(i), matrix, inner, values + i, width, out + i);
+  for (; i + kLanes <= width; i += kLanes) tile<Rows, 1>(fromColumn(i), matrix, inner, values + i, width, out + i);
   for (; i < width; ++i)
     for (std::size_t r = 0; r < Rows; ++r) {
       float sum = 0;
       for (std::size_t s = 0; s < inner; ++s) sum += matrix[r * inner + s] * values[s * width + i];
-      out[r * width + i] = sum;
+      out[r * width + i] = from != nullptr ? from[r * width + i] - sum : sum;
     }
 }
 
-void multiply(const float* matrix, std::size_t rows, std::size_t inner, const float* values, std::size_t width,
-              float* out) {
+void subtractProduct(const float* from, const float* matrix, std::size_t rows, std::size_t inner, const float* values,
+                     std::size_t width, float* out) {
+  const auto fromRow = [&](std::size_t r) { return from != nullptr ? from + r * width : nullptr; };
   std::size_t r = 0;
   for (; r + kTileRows <= rows; r += kTileRows)
-    tileRows<kTileRows>(matrix + r * inner, inner, values, width, out + r * width);
-  for (; r < rows; ++r) tileRows<1>(matrix + r * inner, inner, values, width, out + r * width);
+    tileRows<kTileRows>(fromRow(r), matrix + r * inner, inner, values, width, out + r * width);
+  for (; r < rows; ++r) tileRows<1>(fromRow(r), matrix + r * inner, inner, values, width, out + r * width);
 }
 
 template <class AnyTag, class Number>
@@ -125,7 +134,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace rigel::rowkernels {
 
-HWY_EXPORT(multiply);
+HWY_EXPORT(subtractProduct);
 HWY_EXPORT(addFloats);
 HWY_EXPORT(addDoubles);
 HWY_EXPORT(product);
@@ -134,7 +143,11 @@ HWY_EXPORT(sumOfSquares);
 
 void multiply(const float* matrix, std::size_t rows, std::size_t inner, const float* values, std::size_t width,
               float* out) noexcept {
-  HWY_DYNAMIC_DISPATCH(multiply)(matrix, rows, inner, values, width, out);
+  HWY_DYNAMIC_DISPATCH(subtractProduct)(nullptr, matrix, rows, inner, values, width, out);
+}
+void subtractProduct(const float* from, const float* matrix, std::size_t rows, std::size_t inner, const float* values,
+                     std::size_t width, float* out) noexcept {
+  HWY_DYNAMIC_DISPATCH(subtractProduct)(from, matrix, rows, inner, values, width, out);
 }
 void addScaled(float share, const float* from, std::size_t count, float* into) noexcept {
   HWY_DYNAMIC_DISPATCH(addFloats)(share, from, count, into);

@@ -12,6 +12,9 @@ constexpr std::size_t padded(std::size_t width) noexcept { return (width + kMult
 /// out = matrix (rows x inner) times values (inner x width).
 void multiply(const float* matrix, std::size_t rows, std::size_t inner, const float* values, std::size_t width,
               float* out) noexcept;
+/// out = from (rows x width) less that product.
+void subtractProduct(const float* from, const float* matrix, std::size_t rows, std::size_t inner, const float* values,
+                     std::size_t width, float* out) noexcept;
 /// into += share * from.
 void addScaled(float share, const float* from, std::size_t count, float* into) noexcept;
 void addScaled(double share, const double* from, std::size_t count, double* into) noexcept;
