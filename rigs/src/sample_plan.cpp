@@ -2,6 +2,7 @@
 
 #include "falloff_weights.h"
 #include "poly_model.h"
+#include "row_kernels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -122,38 +123,62 @@ void SamplePlanner::readSpan(BoundPlan& plan) noexcept {
       watch(a == 0, a == 1, a == 2);
 }
 
-void SamplePlanner::probe(Vec3 p, SamplePlan& samples) noexcept {
-  RigBasis basis;
-  rig_.basis(p, basis);
+/// The weights of the samples in the rig's value at each point.
+void SamplePlanner::weightsAt(std::span<const Vec3> points, int samples, float* out) const noexcept {
   const SparseOperator& op = rig_.model_->op;
-  std::array<float, kMax> weight{};
-  for (int j = 0; j < basis.count; ++j) {
-    const int k = basis.index[j];
-    const int start = op.rowStart[k];
-    const int entries = op.rowStart[k + 1] - start;
-    if (entries == samples.samples) {  // a full row, in order of its columns
-      for (int e = 0; e < entries; ++e) weight[e] += basis.value[j] * op.weight[start + e];
-    } else {
-      for (int e = start; e < start + entries; ++e) weight[op.column[e]] += basis.value[j] * op.weight[e];
+  const auto vectors = static_cast<std::size_t>(op.rows());
+  const auto row = static_cast<std::size_t>(samples);
+  RigBasis basis;
+  if (vectors <= RigBasis::kCapacity && op.weight.size() == vectors * row) {  // full rows, in order of their columns
+    std::array<float, kAtOnce * RigBasis::kCapacity> values{};
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      rig_.basis(points[p], basis);
+      for (int j = 0; j < basis.count; ++j)
+        values[p * vectors + static_cast<std::size_t>(basis.index[j])] = basis.value[j];
+    }
+    rowkernels::multiply(values.data(), points.size(), vectors, op.weight.data(), row, out);
+    return;
+  }
+  std::fill_n(out, points.size() * row, 0.0f);
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    rig_.basis(points[p], basis);
+    for (int j = 0; j < basis.count; ++j) {
+      const int k = basis.index[j];
+      for (int e = op.rowStart[k]; e < op.rowStart[k + 1]; ++e)
+        out[p * row + static_cast<std::size_t>(op.column[e])] += basis.value[j] * op.weight[e];
     }
   }
-  double sum = 0;
-  for (int s = 0; s < samples.samples; ++s) {
-    const float size = std::abs(weight[s]);
-    sum += static_cast<double>(size);
-    samples.sample[s].weight = std::max(samples.sample[s].weight, size);
-  }
-  lebesgue_ = std::max(lebesgue_, sum);
-
-  Values rest;
-  valuesAt({p.x, p.y, p.z}, rest);
-  for (int t = 0; t < watched_; ++t) rest[t] = -rest[t];
-  for (int i = 0; i < samples.samples; ++i)
-    for (int t = 0; t < watched_; ++t) rest[t] += weight[i] * atSample_[i][t];
-  for (int t = 0; t < watched_; ++t) defect_[t] = std::max(defect_[t], std::abs(rest[t]));
 }
 
-void SamplePlanner::valuesAt(const std::array<float, 3>& p, Values& out) const noexcept {
+void SamplePlanner::probe(std::span<const Vec3> points, SamplePlan& samples) noexcept {
+  for (; !points.empty(); points = points.subspan(std::min(kAtOnce, points.size())))
+    probeSome(points.first(std::min(kAtOnce, points.size())), samples);
+}
+
+void SamplePlanner::probeSome(std::span<const Vec3> points, SamplePlan& samples) noexcept {
+  const auto count = static_cast<std::size_t>(samples.samples);
+  std::array<float, kAtOnce * kMax> weights;
+  weightsAt(points, samples.samples, weights.data());
+  std::array<float, kAtOnce * kMaxWatched> wanted, wrong;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    double sum = 0;
+    for (std::size_t s = 0; s < count; ++s) {
+      const float size = std::abs(weights[p * count + s]);
+      sum += static_cast<double>(size);
+      samples.sample[s].weight = std::max(samples.sample[s].weight, size);
+    }
+    lebesgue_ = std::max(lebesgue_, sum);
+    valuesAt({points[p].x, points[p].y, points[p].z}, &wanted[p * stride_]);
+  }
+  rowkernels::subtractProduct(wanted.data(), weights.data(), points.size(), count, atSample_.data(), stride_,
+                              wrong.data());
+  for (std::size_t p = 0; p < points.size(); ++p)
+    for (int t = 0; t < watched_; ++t)
+      defect_[t] = std::max(defect_[t], std::abs(wrong[p * stride_ + static_cast<std::size_t>(t)]));
+}
+
+/// Of every product that is watched, and zeros up to the stride.
+void SamplePlanner::valuesAt(const std::array<float, 3>& p, float* out) const noexcept {
   std::array<std::array<float, SamplePlan::kMaxDegree + 1>, 3> chebyshev;
   for (int a = 0; a < 3; ++a) {
     const auto u = static_cast<float>((static_cast<double>(p[a]) - centre_[a]) * inverseHalf_[a]);
@@ -165,37 +190,39 @@ void SamplePlanner::valuesAt(const std::array<float, 3>& p, Values& out) const n
     const Degrees& m = watch_[t];
     out[t] = chebyshev[0][m[0]] * chebyshev[1][m[1]] * chebyshev[2][m[2]];
   }
+  std::fill(out + watched_, out + stride_, 0.0f);
 }
 
 void SamplePlanner::probeAll(SamplePlan& samples) noexcept {
   const RigBox& box = rig_.box();
   if (rig_.anchors().empty()) {
     // Serves the box.
+    std::array<Vec3, 27> grid;
     for (int i = 0; i < 27; ++i) {
       const Vec3 t{static_cast<float>(i % 3) / 2, static_cast<float>(i / 3 % 3) / 2, static_cast<float>(i / 9) / 2};
-      probe({box.lo.x + t.x * (box.hi.x - box.lo.x), box.lo.y + t.y * (box.hi.y - box.lo.y),
-             box.lo.z + t.z * (box.hi.z - box.lo.z)},
-            samples);
+      grid[i] = {box.lo.x + t.x * (box.hi.x - box.lo.x), box.lo.y + t.y * (box.hi.y - box.lo.y),
+                 box.lo.z + t.z * (box.hi.z - box.lo.z)};
     }
+    probe(grid, samples);
     return;
   }
-  for (const RigSample& sample : rig_.samples()) probe(sample.position, samples);
+  std::array<Vec3, kMax> points;
+  for (int i = 0; i < samples.samples; ++i) points[i] = rig_.samples()[i].position;
+  probe(std::span(points).first(samples.samples), samples);
   // The first probes are the farthest of each patch; few anchors can afford all.
   constexpr int kAffordable = 24;
-  const int affordable = std::max(samples.samples, kAffordable);
-  for (int i = 0; i < std::min(samples.probes, affordable); ++i) {
-    const auto& [x, y, z] = samples.probe[i];
-    probe({x, y, z}, samples);
-  }
+  const int affordable = std::min({std::max(samples.samples, kAffordable), samples.probes, kMax});
+  for (int i = 0; i < affordable; ++i) points[i] = {samples.probe[i][0], samples.probe[i][1], samples.probe[i][2]};
+  probe(std::span(points).first(affordable), samples);
   // The surface touches every face of the box, and along an axis that the rig knows nothing of the error is largest
   // there.
   for (int a = 0; a < 3; ++a) {
     if (spanned_[a]) continue;
-    for (const float face : {box.lo[a], box.hi[a]}) {
-      Vec3 p{static_cast<float>(centre_[0]), static_cast<float>(centre_[1]), static_cast<float>(centre_[2])};
-      p[a] = face;
-      probe(p, samples);
-    }
+    std::array<Vec3, 2> faces;
+    faces.fill({static_cast<float>(centre_[0]), static_cast<float>(centre_[1]), static_cast<float>(centre_[2])});
+    faces[0][a] = box.lo[a];
+    faces[1][a] = box.hi[a];
+    probe(faces, samples);
   }
 }
 
@@ -218,7 +245,8 @@ int SamplePlanner::errorsOfLinear(const Falloff& falloff, std::span<Degrees> mon
     const std::span<double> to = row(span_[k]);
     for (int s = 0; s < samples; ++s)
       for (int t = 0; t < watched_; ++t)
-        to[t] += static_cast<double>(op[k * samples + s]) * static_cast<double>(atSample_[s][t]);
+        to[t] += static_cast<double>(op[k * samples + s]) *
+                 static_cast<double>(atSample_[static_cast<std::size_t>(s) * stride_ + static_cast<std::size_t>(t)]);
   }
   constexpr std::array<Degrees, 10> kOfFalloff{
       {{2, 0, 0}, {0, 2, 0}, {0, 0, 2}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}}};
@@ -325,9 +353,10 @@ bool SamplePlanner::plan(BoundPlan& plan, SamplePlan& samples) noexcept {
   if (plan.polynomial && !rig_.spec().falloff) watchBeyond();
   for (int t = 0; t < watched_; ++t) degree_ = std::max<int>(degree_, std::ranges::max(watch_[t]));
   samples.degree = std::min(degree_ + 1, SamplePlan::kMaxDegree);
+  stride_ = rowkernels::padded(static_cast<std::size_t>(watched_));
   for (int i = 0; i < samples.samples; ++i) {
     const SamplePlan::Sample& at = samples.sample[i];
-    valuesAt({at.x, at.y, at.z}, atSample_[i]);
+    valuesAt({at.x, at.y, at.z}, &atSample_[static_cast<std::size_t>(i) * stride_]);
   }
   const auto between = rig_.spec().falloff ? 1.0f : static_cast<float>(kBetweenProbes);
   if (rig_.spec().falloff) {

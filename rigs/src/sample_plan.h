@@ -21,7 +21,8 @@ class SamplePlanner {
   static constexpr int kMax = detail::SamplePlan::kMaxSamples;
   static constexpr int kMaxWatched = 96;
   static constexpr int kMaxDegree = detail::SamplePlan::kMaxDegree;
-  static constexpr int kLinear = 4;  // 1, x, y, z
+  static constexpr int kLinear = 4;          // 1, x, y, z
+  static constexpr std::size_t kAtOnce = 8;  // points probed
   using Degrees = std::array<std::uint8_t, 3>;
   using Values = std::array<float, kMaxWatched>;
 
@@ -29,8 +30,10 @@ class SamplePlanner {
   void watch(int i, int j, int k) noexcept;
   bool watches(int i, int j, int k) const noexcept;
   void watchBeyond() noexcept;
-  void valuesAt(const std::array<float, 3>& p, Values& out) const noexcept;
-  void probe(Vec3 p, detail::SamplePlan& samples) noexcept;
+  void valuesAt(const std::array<float, 3>& p, float* out) const noexcept;
+  void weightsAt(std::span<const Vec3> points, int samples, float* out) const noexcept;
+  void probe(std::span<const Vec3> points, detail::SamplePlan& samples) noexcept;
+  void probeSome(std::span<const Vec3> points, detail::SamplePlan& samples) noexcept;
   void probeAll(detail::SamplePlan& samples) noexcept;
   int errorsOfLinear(const Falloff& falloff, std::span<Degrees> monomials,
                      std::span<double> coefficients) const noexcept;
@@ -46,7 +49,8 @@ class SamplePlanner {
   std::array<Degrees, RigBasis::kCapacity> span_;            // of an invquad rig's polynomial
   int degree_ = 1;                                           // largest of them
   Values defect_{};                                          // largest error of the rig about each
-  std::array<Values, kMax> atSample_;
+  std::size_t stride_ = 0;                                   // floats of a row of values: zeros beyond those watched
+  std::array<float, kMax * kMaxWatched> atSample_;           // samples x stride
   double lebesgue_ = 1;
   std::array<bool, 3> spanned_{};  // the functions x, y, z
 };
