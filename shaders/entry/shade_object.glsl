@@ -32,7 +32,10 @@ layout(constant_id = 50) const int kTerms0 = 0;
 layout(constant_id = 51) const int kTerms1 = 0;
 layout(constant_id = 52) const int kTerms2 = 0;
 layout(constant_id = 53) const int kTerms3 = 0;
-#define RIGEL_KNOWN_TERMS(q) ((q) == 0 ? kTerms0 : (q) == 1 ? kTerms1 : (q) == 2 ? kTerms2 : kTerms3)
+layout(constant_id = 54) const int kTerms4 = 0;
+layout(constant_id = 55) const int kTerms5 = 0;
+#define RIGEL_KNOWN_TERMS(q) \
+  ((q) == 0 ? kTerms0 : (q) == 1 ? kTerms1 : (q) == 2 ? kTerms2 : (q) == 3 ? kTerms3 : (q) == 4 ? kTerms4 : kTerms5)
 
 // Functions rather than expressions: glslang 12 puts out operations on specialisation constants in the wrong order.
 bool hasKind(int kind) {
@@ -66,8 +69,11 @@ bool hasNear(int kind) {
 
 #define RIGEL_VECTORS(rig) (kVectors > 0 ? kVectors : rig.vectors)
 #define RIGEL_RIG_TERM(rig, k) ((rig.terms[(k) >> 4][((k) >> 2) & 3] >> (8 * ((k)&3))) & 255)
-#if !defined(RIGEL_POLY_MAX) || RIGEL_POLY_MAX <= 16
-#define RIGEL_TERM(rig, k) (kTermsKnown ? (RIGEL_KNOWN_TERMS(((k) >> 2) & 3) >> (8 * ((k)&3))) & 255 : RIGEL_RIG_TERM(rig, k))
+#ifndef RIGEL_POLY_MAX
+#define RIGEL_POLY_MAX 16  // what is worth unrolling
+#endif
+#if RIGEL_POLY_MAX <= 24
+#define RIGEL_TERM(rig, k) (kTermsKnown ? (RIGEL_KNOWN_TERMS((k) >> 2) >> (8 * ((k)&3))) & 255 : RIGEL_RIG_TERM(rig, k))
 #endif
 #define RIGEL_NODES(rig) (kNodesX > 0 ? ivec3(kNodesX, kNodesY, kNodesZ) : rig.nodes)
 #define RIGEL_SLOPE(rig) (kNodesX > 0 ? ivec3(kSlopeX, kSlopeY, kSlopeZ) : rig.slope)

@@ -7,7 +7,7 @@
 
 namespace rigel {
 
-/// "object.vert", "object.frag.bands3", "object.frag.bands3.loop16" (over up to 16 monomials), ...: the words of
+/// "object.vert", "object.frag.bands3", "object.frag.bands3.loop24" (over up to 24 monomials), ...: the words of
 /// that shader, its specialisation constants still open; empty where there is none of that name.
 std::span<const std::uint32_t> shaderBinary(std::string_view name) noexcept;
 

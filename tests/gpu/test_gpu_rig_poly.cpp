@@ -46,9 +46,9 @@ void checkPolys(const std::string& defines, int mostTerms, int points) {
 
 TEST(GpuRigPoly, IsTheTwinUnrolled) { checkPolys<3>("#define RIGEL_POLY_MAX 6\n", 6, 720); }
 TEST(GpuRigPoly, IsTheTwinWithEveryNumberOfTerms) { checkPolys<3>(kLoop + "#define RIGEL_POLY_MAX 56\n", 56, 220); }
-TEST(GpuRigPoly, IsTheTwinInTwoBands) { checkPolys<2>(kLoop, 16, 320); }
-TEST(GpuRigPoly, IsTheTwinInFourBands) { checkPolys<4>(kLoop, 16, 320); }
-TEST(GpuRigPoly, IsTheTwinInFiveBands) { checkPolys<5>(kLoop, 16, 320); }
+TEST(GpuRigPoly, IsTheTwinInTwoBands) { checkPolys<2>(kLoop, 24, 320); }
+TEST(GpuRigPoly, IsTheTwinInFourBands) { checkPolys<4>(kLoop, 24, 320); }
+TEST(GpuRigPoly, IsTheTwinInFiveBands) { checkPolys<5>(kLoop, 24, 320); }
 
 template <int B>
 void checkInvquad() {

@@ -7,7 +7,8 @@
 namespace rigel::tools {
 namespace {
 
-constexpr int kUnrolledTerms = 16;  // RIGEL_POLY_MAX of rig_poly.glsl
+constexpr int kUnrolledTerms = 16;  // RIGEL_POLY_MAX of shade_object.glsl
+constexpr int kKnownTerms = 24;     // of a loop over monomials that are known
 
 Effects common(Effects a, Effects b) {
   Effects both;
@@ -47,7 +48,7 @@ std::vector<ShaderConstant> ShaderVariant::constants() const {
   all.push_back(shaderConstant(kPerNode, perNode));
   all.push_back(shaderConstant(kKernel, kernel));
   all.push_back(shaderConstant(kTermsKnown, termsKnown));
-  for (std::uint32_t i = 0; i < 4; ++i) all.push_back(shaderConstant(kTerms + i, terms[i]));
+  for (std::uint32_t i = 0; i < terms.size(); ++i) all.push_back(shaderConstant(kTerms + i, terms[i]));
   return all;
 }
 
@@ -70,11 +71,14 @@ ShaderVariant variantOf(const RigRunner& runner, const GpuRig& packed, Effects e
   const RigSpec& spec = runner.rig().spec();
   if (!spec.adaptive) variant.vectors = runner.rig().shVectors();
   if (isPoly(packed)) {
-    const bool isLong = runner.rig().shVectors() > kUnrolledTerms;
-    variant.loop = isLong ? kMaxPolyTerms : spec.adaptive ? kUnrolledTerms : 0;
-    if (!isLong) {
-      variant.termsKnown = true;
-      variant.terms = {packed.terms[0].x, packed.terms[0].y, packed.terms[0].z, packed.terms[0].w};
+    const int vectors = runner.rig().shVectors();
+    variant.termsKnown = vectors <= kKnownTerms;
+    if (variant.termsKnown) {
+      if (spec.adaptive || vectors > kUnrolledTerms) variant.loop = kKnownTerms;
+      const auto &first = packed.terms[0], &second = packed.terms[1];
+      variant.terms = {first.x, first.y, first.z, first.w, second.x, second.y};
+    } else {
+      variant.loop = kMaxPolyTerms;
     }
   } else {
     variant.nodes = {packed.nodes.x, packed.nodes.y, packed.nodes.z};

@@ -36,8 +36,8 @@ struct ShaderVariant {
   std::array<int, 3> nodes{0, 1, 1}, slope{};
   int perNode = 1, kernel = 0;
   bool termsKnown = false;
-  std::array<int, 4> terms{};
-  int loop = 0;  // over up to 16 or 56 monomials; 0: unrolled
+  std::array<int, 6> terms{};
+  int loop = 0;  // over up to 24 or 56 monomials; 0: unrolled
 
   friend bool operator==(const ShaderVariant&, const ShaderVariant&) = default;
 

@@ -1,12 +1,13 @@
 // poly, auto and invquad: a polynomial of box coordinates, and one over a falloff.
 //
-// Terms are unrolled up to RIGEL_POLY_MAX (16 unless defined; at most 56), each under a condition on the rig's number of
-// vectors, so that K may change from frame to frame and from object to object. What shapes the polynomial comes from the
-// rig, or from what an entry shader defines instead; of specialisation constants nothing but the sums is left.
+// Terms are unrolled up to RIGEL_POLY_MAX (24 unless defined, as many as `auto` has; at most 56), each under a condition
+// on the rig's number of vectors, so that K may change from frame to frame and from object to object. What shapes the
+// polynomial comes from the rig, or from what an entry shader defines instead; of specialisation constants nothing but
+// the sums is left.
 //   RIGEL_VECTORS(rig)  K > 0
 //   RIGEL_TERM(rig, k)  from * 4 + axis: monomial k is monomial `from` times coordinate `axis`
 //   RIGEL_OFFSET(rig)   vec4 where the coefficients begin: 0 for a uniform block that holds one rig
-// With RIGEL_POLY_LOOP the sum is a loop to K: for software devices, which take both sides of every condition. Up to 16
+// With RIGEL_POLY_LOOP the sum is a loop to K: for software devices, which take both sides of every condition. Up to 24
 // monomials are still made before it; more are made on the way, or compiling would take minutes.
 #ifndef RIGEL_RIG_POLY_GLSL
 #define RIGEL_RIG_POLY_GLSL
@@ -15,7 +16,7 @@
 #include "rigel/shader_types.h"
 
 #ifndef RIGEL_POLY_MAX
-#define RIGEL_POLY_MAX 16
+#define RIGEL_POLY_MAX 24
 #endif
 #ifndef RIGEL_VECTORS
 #define RIGEL_VECTORS(rig) rig.vectors
@@ -73,7 +74,7 @@
   RIGEL_POLY_FROM_32(DO, ADD) RIGEL_POLY_FROM_40(DO, ADD) RIGEL_POLY_FROM_48(DO, ADD)
 
 #define RIGEL_POLY_PHI ((RIGEL_POLY_MAX + 8) / 8 * 8)
-#if defined(RIGEL_POLY_LOOP) && RIGEL_POLY_MAX > 16
+#if defined(RIGEL_POLY_LOOP) && RIGEL_POLY_MAX > 24
 #define RIGEL_POLY_SUM(ADD)                    \
   phi[0] = 1.0;                                \
   int at = RIGEL_OFFSET(rig);                  \
