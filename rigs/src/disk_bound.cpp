@@ -22,18 +22,20 @@ namespace {
 
 using detail::BoundPlan;
 using detail::SamplePlan;
+using detail::SeenLight;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 class DiskBound {
  public:
   DiskBound(const BoundPlan& plan, const SamplePlan& samples, const WrapField& wrap, const LightPlace& place,
-            const Triple& axis, double radius, bool twoSided) noexcept
+            const Triple& axis, double radius, bool twoSided, const SeenLight* seen) noexcept
       : plan_(plan),
         samples_(samples),
         wrap_(wrap),
         place_(place),
         axis_(axis),
+        seen_(seen),
         field_(wrap, radius, twoSided),
         served_(diskAspect(place.served, axis, radius, twoSided, kMargin * plan.radius)),
         nodes_(diskAspect(place.nodes, axis, radius, twoSided, kMargin * plan.radius)) {}
@@ -173,12 +175,17 @@ class DiskBound {
   }
 
   double sampleError() noexcept {
+    const double error = plannedError();
+    return seen_ ? std::min(error, seenError(*seen_, light(field_.vector(served_)), 0)) : error;
+  }
+
+  double plannedError() noexcept {
     // As strong as the disk, and around it.
     const LightField sphere(wrap_, field_.area(), field_.radius());
     const double corners = plan_.polynomial ? 0.0 : boxError();
     const SampleBound bound = sampleBound(plan_, samples_, wrap_, sphere, place_.position, place_.served.box, 0);
     const double boxVector = field_.vector(served_);
-    served_.near = std::max(served_.near, bound.near);
+    served_.near = std::max({served_.near, bound.near, seen_ ? seen_->near : 0.0});
     const double enlarged = kDiskFootprint * bound.enlarged;
     const double peak = field_.perVector() * boxVector;
     const double span = difference(light(field_.vector(served_)), blended(light(boxVector), plan_.lebesgue));
@@ -203,13 +210,14 @@ class DiskBound {
   const WrapField& wrap_;
   const LightPlace& place_;
   const Triple& axis_;
+  const SeenLight* seen_;
   DiskField field_;
   DiskAspect served_, nodes_;
 };
 
 }  // namespace
 
-LightBound LightBounds::operator()(const DiskLight& light) const noexcept {
+LightBound LightBounds::of(const DiskLight& light, const Seen* seen) const noexcept {
   const LightPlace place = placeOf(plan_, worldFromRig_, light.position);
   Triple direction;
   if (!place.valid || !(light.radius > 0) || !std::isfinite(light.radius) || !unitOf(light.direction, direction))
@@ -220,7 +228,7 @@ LightBound LightBounds::operator()(const DiskLight& light) const noexcept {
   // Of two faces, that which looks at the object's centre.
   if (light.twoSided && height < 0)
     for (double& x : axis) x = -x;
-  return DiskBound(plan_, samples_, wrap_, place, axis, light.radius, light.twoSided)();
+  return DiskBound(plan_, samples_, wrap_, place, axis, light.radius, light.twoSided, seen)();
 }
 
 }  // namespace rigel

@@ -29,14 +29,21 @@ namespace {
 
 using detail::BoundPlan;
 using detail::SamplePlan;
+using detail::SeenLight;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 class Bound {
  public:
   Bound(const BoundPlan& plan, const SamplePlan& samples, const WrapField& wrap, const LightPlace& place,
-        const LightField& field) noexcept
-      : plan_(plan), samples_(samples), wrap_(wrap), served_(place.served), nodes_(place.nodes), field_(field) {
+        const LightField& field, const SeenLight* seen) noexcept
+      : plan_(plan),
+        samples_(samples),
+        wrap_(wrap),
+        served_(place.served),
+        nodes_(place.nodes),
+        field_(field),
+        seen_(seen) {
     position_ = place.position;
     near_ = served_.near;
     nodePeak_ = field.peak(nodes_.near);
@@ -169,15 +176,24 @@ class Bound {
   double sampleError(const ModulationBound& m, double lit) noexcept {
     const double corners = plan_.polynomial ? 0.0 : boxError(plan_, served_, field_);
     const SampleBound bound = sampleBound(plan_, samples_, wrap_, field_, position_, served_.box, corners);
-    near_ = std::max(near_, bound.near);
+    near_ = std::max({near_, bound.near, seen_ ? seen_->near : 0.0});
     const double boxPeak = field_.peak(served_.box);
     const double span =
         difference(light(field_.peak(near_)), blended(light(boxPeak), plan_.lebesgue)) + plan_.offset * boxPeak;
     const double peak = field_.peak(std::max(lit, near_));
     const double cap = std::min(span, peak + bound.cap);
     const double plain = std::min(bound.error, cap);
-    if (!(m.least < 1)) return plain;
-    return std::min(m.most * plain + std::min((m.most - m.least) * cap, linearVariation(m)), m.most * cap);
+    double error = plain;
+    if (m.least < 1)
+      error = std::min(m.most * plain + std::min((m.most - m.least) * cap, linearVariation(m)), m.most * cap);
+    return seen_ ? std::min(error, seenError(*seen_, light(m.most * peak), peak * unseenVariation(m))) : error;
+  }
+
+  /// What the modulation can do between the points seen.
+  double unseenVariation(const ModulationBound& m) const noexcept {
+    const double h = seen_->spacing;
+    const double close = near_ > h ? h / near_ : 1.0;
+    return std::min(m.most - m.least, h * (2 * close * m.slope + h / 2 * m.curvature));
   }
 
   /// The same as smoothVariation for rigs that span linear functions: Taylor's remainder at the centre of the box.
@@ -195,6 +211,7 @@ class Bound {
   const Region& served_;
   const Region& nodes_;
   const LightField& field_;
+  const SeenLight* seen_;
   Triple position_;
   double near_;
   double nodePeak_;
@@ -219,16 +236,16 @@ LightBound LightBounds::operator()(const DirectionalLight& light) const noexcept
   return {0, static_cast<float>(std::max(1.0, (wrap_.s0 + wrap_.s1 + wrap_.s2) / 2))};
 }
 
-LightBound LightBounds::operator()(const PointLight& light) const noexcept {
+LightBound LightBounds::of(const PointLight& light, const Seen* seen) const noexcept {
   const LightPlace place = placeOf(plan_, worldFromRig_, light.position);
   if (!place.valid || anyNan(light.radius, light.range)) return {};
   const LightField field(wrap_, 1, pointRadius(light.radius));
-  Bound bound(plan_, samples_, wrap_, place, field);
+  Bound bound(plan_, samples_, wrap_, place, field, seen);
   return bound(windowBound(light.range, place.served.near, place.served.far),
                windowBound(light.range, place.nodes.near, place.nodes.far), place.served.near);
 }
 
-LightBound LightBounds::operator()(const SpotLight& light) const noexcept {
+LightBound LightBounds::of(const SpotLight& light, const Seen* seen) const noexcept {
   const LightPlace place = placeOf(plan_, worldFromRig_, light.position);
   Triple direction;
   const double cosOuter = std::cos(static_cast<double>(light.outerAngle));
@@ -252,7 +269,7 @@ LightBound LightBounds::operator()(const SpotLight& light) const noexcept {
   };
   ModulationBound served = over(place.served, lit);
   if (beyond > 0) served.most *= 1 - beyond / kFade;
-  Bound bound(plan_, samples_, wrap_, place, field);
+  Bound bound(plan_, samples_, wrap_, place, field, seen);
   const ModulationBound nodes = over(place.nodes, place.nodes.near);
   if (plan_.kind == BoundPlan::Kind::samples || !(served.least < 1)) return bound(served, nodes, lit);
   const SpotCone cone{light.range, cosOuter, width, cosines(place.served, axis, radius)};
@@ -261,12 +278,12 @@ LightBound LightBounds::operator()(const SpotLight& light) const noexcept {
   return bound(served, nodes, lit, &cone, std::span(fronts).first(knowsBall ? 2 : 1));
 }
 
-LightBound LightBounds::operator()(const SphereLight& light) const noexcept {
+LightBound LightBounds::of(const SphereLight& light, const Seen* seen) const noexcept {
   const LightPlace place = placeOf(plan_, worldFromRig_, light.position);
   if (!place.valid || !(light.radius > 0)) return {};
   const double radius = light.radius;
   const LightField field(wrap_, kPi * radius * radius, radius);
-  Bound bound(plan_, samples_, wrap_, place, field);
+  Bound bound(plan_, samples_, wrap_, place, field, seen);
   return bound({}, {}, place.served.near);
 }
 

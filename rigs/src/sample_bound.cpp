@@ -109,4 +109,26 @@ SampleBound sampleBound(const BoundPlan& plan, const SamplePlan& samples, const 
   return out;
 }
 
+double seenError(const detail::SeenLight& seen, Range light, double variation) noexcept {
+  Range near;  // the rig's values where the light is close
+  for (const detail::SeenPoint& p : seen.points) {
+    const float share = std::min(1.0f, 2 * p.close);
+    near = {std::max<double>(near.down, share * p.down), std::max<double>(near.up, share * p.up)};
+  }
+  // What the points do not see of the light itself falls with the third power of spacing over distance: their own
+  // values tell all that is flatter. Where the light comes as close as the points are to each other it is no less than
+  // the cap, for what they see leaps as a disk's face passes them.
+  const double unseen = (1 + seen.between) * light.up;
+  const double leaping = seen.between * (near.down + near.up);
+  double error = 0;
+  for (const detail::SeenPoint& p : seen.points) {
+    const double close = static_cast<double>(p.close) * static_cast<double>(p.close) * static_cast<double>(p.close);
+    const double seenHere = seen.between * static_cast<double>(p.error) + static_cast<double>(p.crease) + variation +
+                            close * (unseen + close * leaping);
+    const Range rig{seen.between * std::max<double>(near.down, p.down), seen.between * std::max<double>(near.up, p.up)};
+    error = std::max(error, std::min(seenHere, difference(light, rig)));
+  }
+  return error + seen.missing;
+}
+
 }  // namespace rigel

@@ -302,18 +302,12 @@ void SamplePlanner::coverFalloff(SamplePlan& samples) noexcept {
 
 void SamplePlanner::placeProbes(SamplePlan& samples) const noexcept {
   const SurfaceProbes& from = rig_.model_->probes;
-  const RigBox& box = rig_.box();
-  const Vec3 half = box.hi * 0.5f - box.lo * 0.5f;
-  float stretch = 1;
-  for (int a = 0; a < 3; ++a)
-    if (from.half[a] > 0) stretch = std::max(stretch, half[a] / from.half[a]);
-  samples.cover = from.cover * stretch;
-  for (const SurfaceProbes::Probe& p : from.probes) {
+  samples.cover = from.cover * from.stretch(rig_.box());
+  for (const SurfaceProbes::Probe& probe : std::span(from.probes).first(from.few)) {
     if (samples.probes == SamplePlan::kMaxProbes) break;
-    const SamplePlan::Sample& at = samples.sample[p.anchor];
-    const std::array<float, 3> anchor{at.x, at.y, at.z};
-    std::array<float, 3>& out = samples.probe[samples.probes++];
-    for (int a = 0; a < 3; ++a) out[a] = std::clamp(anchor[a] + p.offset[a] * half[a], box.lo[a], box.hi[a]);
+    const SamplePlan::Sample& at = samples.sample[probe.anchor];
+    const Vec3 p = from.posed(probe, {at.x, at.y, at.z}, rig_.box());
+    samples.probe[samples.probes++] = {p.x, p.y, p.z};
   }
 }
 

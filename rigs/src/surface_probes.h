@@ -3,6 +3,8 @@
 
 #include <rigel/rig.h>
 
+#include "probe_patch.h"
+
 namespace rigel {
 
 /// The extremes of each anchor's patch of surface, as the anchor plus an offset. They follow a pose by their anchor and
@@ -13,11 +15,21 @@ struct SurfaceProbes {
     Vec3 offset;     // per half extent of the box
   };
   std::vector<Probe> probes;
-  float cover = 0;  // m; every point of the rest surface is as close as this to an anchor or a probe
-  Vec3 half;        // of the rest box
+  std::vector<ProbePatch> patches;  // of the anchors, then of the probes; per half extent
+  int few = 0;                      // the first of them, three an anchor at most
+  float cover = 0;      // m; every point of the rest surface is as close as this to an anchor or one of these few
+  float fineCover = 0;  // m; or to an anchor or any probe
+  Vec3 half;            // of the rest box
+
+  /// Where a probe is in a pose with its anchor there, and what lengths are to be multiplied by.
+  Vec3 posed(const Probe& probe, Vec3 anchor, const RigBox& box) const noexcept;
+  float stretch(const RigBox& box) const noexcept;
+
+  /// Anchors and probes together, where the surface has as many points.
+  static constexpr int kPoints = 256;
 };
 
-/// Cost: surface points x (anchors + 3). Allocates.
+/// Cost: surface points x 256. Allocates.
 SurfaceProbes probeSurface(const RigShape& rest, std::span<const int> anchors);
 
 }  // namespace rigel

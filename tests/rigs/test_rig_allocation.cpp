@@ -2,6 +2,7 @@
 #include <rigel/light_tree.h>
 #include <rigel/near_far.h>
 #include <rigel/object_lighting.h>
+#include <rigel/probed_bounds.h>
 
 #include "counted_allocations.h"
 #include "crowd_fixture.h"
@@ -50,6 +51,25 @@ TEST(RigAllocation, AFrameAllocatesNothing) {
       if (frame > 0) counted += allocations - before;
     }
     EXPECT_EQ(counted, 0) << text;
+  }
+}
+
+TEST(RigAllocation, BoundsOfLightsAllocateNothing) {
+  const auto body = ellipsoid({}, {2, 0.5f, 0.5f}, 600);
+  for (const std::string& text : everyKindOfSpec()) {
+    const Rig rig = rigOf(text, body);
+    ProbedBounds bounds(rig, {});
+    long before = 0;
+    for (int i = 0; i < 4; ++i) {
+      if (i == 1) before = allocations;
+      const float t = static_cast<float>(i);
+      (void)bounds(SphereLight{{2, 3 - t, 1}, 0.3f, {20, 15, 10}});
+      (void)bounds(DiskLight{{1, 2 - t, 0}, {0.1f, -1, t}, 0.4f, {5, 4, 3}});
+      (void)bounds(PointLight{{t, 1, 1}, {3, 4, 5}});
+      (void)bounds(SpotLight{{0, 4, t}, {0, -1, 0}, {30, 30, 30}});
+      (void)bounds(DirectionalLight{{0, -1, t}, {1, 1, 1}});
+    }
+    EXPECT_EQ(allocations, before) << text;
   }
 }
 

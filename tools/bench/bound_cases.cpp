@@ -1,6 +1,7 @@
 #include "bench/bench_case.h"
 
 #include <rigel/light_bound.h>
+#include <rigel/probed_bounds.h>
 
 #include <memory>
 #include <random>
@@ -14,6 +15,7 @@ struct BoundedRig {
   RigBox box{{-0.3f, -0.9f, -0.2f}, {0.3f, 0.9f, 0.2f}};
   Rig rig;
   LightBounds bounds;
+  ProbedBounds probed{rig, {}};
 
   explicit BoundedRig(const std::string& spec)
       : rig(*Rig::create(*parseRigSpec(spec), {box, surface})), bounds(posed()) {}
@@ -76,6 +78,15 @@ void addLightCase(std::vector<BenchCase>& cases, const std::string& spec, const 
                          benchmark::DoNotOptimize(bound);
                        }
                    }});
+  if (kind == LightKind::litSpot || rig->probed.nodal()) return;
+  cases.push_back({"bound.probed." + name + "." + spec, "ns/light", static_cast<double>(lights->size()), 1,
+                   "bound." + name + "." + spec, [=](benchmark::State& state) {
+                     for (auto _ : state)
+                       for (const Light& light : *lights) {
+                         LightBound bound = rig->probed(light);
+                         benchmark::DoNotOptimize(bound);
+                       }
+                   }});
 }
 
 }  // namespace
@@ -90,6 +101,14 @@ void addBoundCases(std::vector<BenchCase>& cases) {
                          benchmark::DoNotOptimize(bounds);
                        }
                      }});
+    if (!rig->probed.nodal())
+      cases.push_back({"bound.probed.prepare." + spec, "us/character", 1, 1e3, "bound.prepare." + spec,
+                       [rig](benchmark::State& state) {
+                         for (auto _ : state) {
+                           ProbedBounds bounds(rig->rig, {});
+                           benchmark::DoNotOptimize(bounds);
+                         }
+                       }});
     addLightCase<SphereLight>(cases, spec, rig, "sphere", LightKind::sphere);
     addLightCase<DiskLight>(cases, spec, rig, "disk", LightKind::disk);
     addLightCase<SpotLight>(cases, spec, rig, "spot", LightKind::litSpot);

@@ -7,7 +7,8 @@
 // latticegrad and hermite: theorems too, of the light's curvature. Poly, rbf, @lsq and @gauss: the weights of the rig's
 // own operator times Chebyshev coefficients of the light (sample_bound.cpp), 2 - 16, checked rather than proven.
 // invquad: for the falloff the rig has when LightBounds is made (Rig::adapt); its weights are bounded by theorem
-// (falloff_weights.h), which is loose. Figures: rigs/README.md.
+// (falloff_weights.h), which is loose. What ranks lights need not be tight; what is promised is ProbedBounds'
+// (probed_bounds.h). Figures: rigs/README.md.
 #pragma once
 
 #include <rigel/light.h>
@@ -70,6 +71,8 @@ struct SamplePlan {
   float footprint = 0;  // largest
 };
 
+struct SeenLight;  // what ProbedBounds adds
+
 /// What the bounds need of a rig in a pose.
 struct BoundPlan {
   enum class Kind { tensor, ball, samples };
@@ -115,12 +118,19 @@ class LightBounds {
   void place(const RigFrame& worldFromRig) noexcept { worldFromRig_ = worldFromRig; }
 
   LightBound operator()(const DirectionalLight& light) const noexcept;
-  LightBound operator()(const PointLight& light) const noexcept;
-  LightBound operator()(const SpotLight& light) const noexcept;
-  LightBound operator()(const SphereLight& light) const noexcept;
-  LightBound operator()(const DiskLight& light) const noexcept;
+  LightBound operator()(const PointLight& light) const noexcept { return of(light, nullptr); }
+  LightBound operator()(const SpotLight& light) const noexcept { return of(light, nullptr); }
+  LightBound operator()(const SphereLight& light) const noexcept { return of(light, nullptr); }
+  LightBound operator()(const DiskLight& light) const noexcept { return of(light, nullptr); }
 
  private:
+  friend class ProbedBounds;
+  using Seen = detail::SeenLight;
+  LightBound of(const PointLight& light, const Seen* seen) const noexcept;
+  LightBound of(const SpotLight& light, const Seen* seen) const noexcept;
+  LightBound of(const SphereLight& light, const Seen* seen) const noexcept;
+  LightBound of(const DiskLight& light, const Seen* seen) const noexcept;
+
   RigFrame worldFromRig_;
   detail::WrapField wrap_;
   detail::SamplePlan samples_;  // kind samples; filled by plan_

@@ -115,6 +115,7 @@ class Rig {
   class RbfModel;
   class SlopeGridModel;
   friend class SamplePlanner;  // light_bound.h reads the operator
+  friend class ProbedBounds;   // probed_bounds.h the probes
   friend class GpuRigReader;   // gpu_rig.h the monomials and nodes
   explicit Rig(std::unique_ptr<Model> model) noexcept;
   std::unique_ptr<Model> model_;
