@@ -4,9 +4,12 @@
 #include "report/measure/half_coefficients.h"
 
 #include <rigel/glm.h>
+#include <rigel/probed_bounds.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <limits>
 
 namespace rigel::tools {
 namespace {
@@ -151,6 +154,20 @@ class RunnerOf final : public RigRunner {
     return lighting_.coefficients().size() * ((sizeof(RadianceSH<B>) + kVec4 - 1) / kVec4 * kVec4);
   }
   std::span<const LightVerdict> verdicts() const override { return lighting_.verdicts(); }
+  std::vector<LightVerdict> promises(const LightSet& lights) const override {
+    std::vector<LightVerdict> out(verdicts().begin(), verdicts().end());
+    if (std::ranges::all_of(out, [](const LightVerdict& verdict) { return !(verdict.bound > 0); })) return out;
+    ProbedBounds bounds(lighting_.rig(), frame_, asked_.wrap);
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      if (!(out[i].bound > 0)) continue;
+      lights.visit(static_cast<int>(i), [&](const auto& light) {
+        const Rgb c = colourOf(light);
+        const float promised = bounds(light).error * std::sqrt((c.r * c.r + c.g * c.g + c.b * c.b) / 3);
+        out[i].bound = std::min(promised, std::numeric_limits<float>::max());
+      });
+    }
+    return out;
+  }
   std::optional<float> spatialEstimate() const override { return lighting_.spatialEstimate(); }
   std::optional<float> totalEstimate() const override { return lighting_.totalEstimate(); }
   float modelledNanoseconds() const override { return lighting_.modelledNanoseconds(); }

@@ -87,6 +87,8 @@ class RigRunner {
   virtual int shVectors() const = 0;
   virtual std::size_t bytes() const = 0;                       // of their float32 buffer
   virtual std::span<const LightVerdict> verdicts() const = 0;  // in the order of the lights
+  /// The same with the bounds that the fitted rig can promise (ProbedBounds), where verdicts have bounds to choose by.
+  virtual std::vector<LightVerdict> promises(const LightSet& lights) const = 0;
   virtual std::optional<float> spatialEstimate() const = 0;
   virtual std::optional<float> totalEstimate() const = 0;
   virtual float modelledNanoseconds() const = 0;   // a point

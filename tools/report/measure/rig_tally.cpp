@@ -37,17 +37,17 @@ void RigTally::addTiming(const FitTimes& fit, double shadeMicroseconds) {
   shadeTimes_.push_back(shadeMicroseconds);
 }
 
-void RigTally::addFrame(const RigRunner& rig, std::span<const RigRunner::Shaded> shaded, const Truth& truth,
-                        std::span<const Rgb> sh, std::span<const float> wrap, bool followsOn) {
+void RigTally::addFrame(const RigRunner& rig, std::span<const LightVerdict> lights,
+                        std::span<const RigRunner::Shaded> shaded, const Truth& truth, std::span<const Rgb> sh,
+                        std::span<const float> wrap, bool followsOn) {
   Frame& frame = frames_.emplace_back();
   frame.estimate = rig.spatialEstimate();
   frame.totalEstimate = rig.totalEstimate();
   frame.shVectors = rig.shVectors();
   frame.modelledNanoseconds = rig.modelledNanoseconds();
-  const auto verdicts = rig.verdicts();
-  for (std::size_t i = 0; i < verdicts.size(); ++i)
-    if (verdicts[i].weight > 0) frame.near.push_back(static_cast<int>(i));
-  lights_.add(verdicts);
+  for (std::size_t i = 0; i < lights.size(); ++i)
+    if (lights[i].weight > 0) frame.near.push_back(static_cast<int>(i));
+  lights_.add(lights);
   bytes_ = std::max(bytes_, rig.bytes());
   condition_ = std::max(condition_, rig.rig().condition());
 

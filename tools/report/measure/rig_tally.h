@@ -24,9 +24,10 @@ class RigTally {
 
   void addTiming(const FitTimes& fit, double shadeMicroseconds);
 
-  /// A frame that `rig` was just fitted to. `sh`: what a perfect rig of the same bands and far shares gives.
-  void addFrame(const RigRunner& rig, std::span<const RigRunner::Shaded> shaded, const Truth& truth,
-                std::span<const Rgb> sh, std::span<const float> wrap, bool followsOn);
+  /// A frame that `rig` was just fitted to. `lights`: its promises; `sh`: what a perfect rig of the same bands and far
+  /// shares gives.
+  void addFrame(const RigRunner& rig, std::span<const LightVerdict> lights, std::span<const RigRunner::Shaded> shaded,
+                const Truth& truth, std::span<const Rgb> sh, std::span<const float> wrap, bool followsOn);
 
   /// The last frame on the way from the truth to the rig.
   void addSteps(const ErrorSteps& steps) { parts_.add(steps); }

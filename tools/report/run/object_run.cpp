@@ -124,7 +124,7 @@ void ObjectRun::compareShared(std::size_t i, const LightSet& lights, float grant
 void ObjectRun::compare(MeasuredRig& rig, const LightSet& lights, std::optional<float> granted) {
   rig.runner->shade(truth_.points, surface_.wrap, shaded_);
   const std::span<const Rgb> farSh = shOfFarShares(*rig.runner, lights);
-  rig.tally.addFrame(*rig.runner, shaded_, truth_, farSh, surface_.wrap, followsOn_);
+  rig.tally.addFrame(*rig.runner, rig.runner->promises(lights), shaded_, truth_, farSh, surface_.wrap, followsOn_);
   splitError(rig, lights, farSh);
   if (granted) rig.tally.grant(*granted);
   half_.resize(shaded_.size());
