@@ -368,7 +368,8 @@ class ProbedBounds::Probes {
 
 ProbedBounds::ProbedBounds(const Rig& rig, const RigFrame& worldFromRig, float wrap, float radius)
     : bounds_(rig, worldFromRig, wrap, radius) {
-  if (bounds_.plan_.kind == detail::BoundPlan::Kind::samples) probes_ = std::make_unique<Probes>(rig, bounds_);
+  const bool known = bounds_.samples_.cover < 0 || !rig.model_->probes.patches.empty();
+  if (known && bounds_.plan_.kind == detail::BoundPlan::Kind::samples) probes_ = std::make_unique<Probes>(rig, bounds_);
   place(worldFromRig);
 }
 

@@ -120,6 +120,7 @@ SurfaceProbes probeSurface(const RigShape& rest, std::span<const int> anchors) {
     out.cover = std::max(out.cover, std::sqrt(distance[i]) * (1 + 1 / std::sqrt(std::max(1.0f, points))));
   }
   out.few = static_cast<int>(out.probes.size());
+  if (!rest.tightBounds) return out;
 
   // The same over all of the surface. Half of its points' spacing follows from how far apart fewer of them are.
   float spacing = 0;

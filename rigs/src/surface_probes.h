@@ -15,7 +15,7 @@ struct SurfaceProbes {
     Vec3 offset;     // per half extent of the box
   };
   std::vector<Probe> probes;
-  std::vector<ProbePatch> patches;  // of the anchors, then of the probes; per half extent
+  std::vector<ProbePatch> patches;  // with RigShape::tightBounds: of the anchors, then of the probes; per half extent
   int few = 0;                      // the first of them, three an anchor at most
   float cover = 0;      // m; every point of the rest surface is as close as this to an anchor or one of these few
   float fineCover = 0;  // m; or to an anchor or any probe
@@ -29,7 +29,8 @@ struct SurfaceProbes {
   static constexpr int kPoints = 256;
 };
 
-/// Cost: surface points x 256. Allocates.
+/// Probes beyond the few and patches only with RigShape::tightBounds. Cost: surface points x (anchors + 3), then x 256.
+/// Allocates.
 SurfaceProbes probeSurface(const RigShape& rest, std::span<const int> anchors);
 
 }  // namespace rigel

@@ -96,7 +96,7 @@ class LightBound : public testing::TestWithParam<Case> {
     for (const Vec3 half : shapes) {
       const std::vector<Vec3> surface = ellipsoid(kCentre, half, 600);
       const RigBox box{kCentre - half, kCentre + half};
-      auto rig = Rig::create(specOf(c.spec), {box, surface});
+      auto rig = Rig::create(specOf(c.spec), {box, surface, true});
       const float radius = c.domain == Domain::Kind::ball ? half.x : kNoRange;
       const std::array bounds{LightBounds(*rig, {}, 0, radius), LightBounds(*rig, {}, 0.5f, radius),
                               LightBounds(*rig, {}, -0.25f, radius)};

@@ -23,7 +23,7 @@ const std::vector<std::string> kSampled = {
 
 Rig boxRig(const std::string& spec) {
   const std::vector<Vec3> surface = ellipsoid({}, kBox.hi, 600);
-  return *Rig::create(specOf(spec), {kBox, surface});
+  return *Rig::create(specOf(spec), {kBox, surface, true});
 }
 
 Eigen::Vector3d anywhere(Random& random) {
@@ -93,11 +93,16 @@ TEST(ProbePatch, KnowsTheLeastOfAQuadratic) {
   EXPECT_LT(tightest, 1.05);
 }
 
-TEST(ProbedBounds, AreLightBoundsWhereTheseAreTheorems) {
-  for (const std::string spec : {"constant", "gradient", "gradient@numeric", "lattice:3x2x2", "mixed:l3,g,c"}) {
-    const Rig rig = boxRig(spec);
+TEST(ProbedBounds, AreLightBoundsWhereTheseAreTheoremsOrNothingElseIsKnown) {
+  const std::vector<Vec3> surface = ellipsoid({}, kBox.hi, 600);
+  // The last two are not, and were not asked for.
+  for (const std::string spec :
+       {"constant", "gradient", "gradient@numeric", "lattice:3x2x2", "mixed:l3,g,c", "poly:6", "lattice:3x2x2@lsq"}) {
+    const Rig rig = *Rig::create(specOf(spec), {kBox, surface});
     const LightBounds bounds(rig, {});
     ProbedBounds probed(rig, {});
+    EXPECT_FALSE(probed.tight()) << spec;
+    EXPECT_EQ(boxRig(spec).anchors().empty(), !ProbedBounds(boxRig(spec), {}).tight()) << spec;
     RandomLights lights(kBox, 4);
     for (int i = 0; i < 50; ++i) {
       const DiskLight disk = lights.disk();

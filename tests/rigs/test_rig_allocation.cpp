@@ -57,7 +57,7 @@ TEST(RigAllocation, AFrameAllocatesNothing) {
 TEST(RigAllocation, BoundsOfLightsAllocateNothing) {
   const auto body = ellipsoid({}, {2, 0.5f, 0.5f}, 600);
   for (const std::string& text : everyKindOfSpec()) {
-    const Rig rig = rigOf(text, body);
+    const Rig rig = *Rig::create(specOf(text), {boxOf(body), body, true});
     ProbedBounds bounds(rig, {});
     long before = 0;
     for (int i = 0; i < 4; ++i) {

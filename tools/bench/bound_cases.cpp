@@ -18,7 +18,7 @@ struct BoundedRig {
   ProbedBounds probed{rig, {}};
 
   explicit BoundedRig(const std::string& spec)
-      : rig(*Rig::create(*parseRigSpec(spec), {box, surface})), bounds(posed()) {}
+      : rig(*Rig::create(*parseRigSpec(spec), {box, surface, true})), bounds(posed()) {}
 
  private:
   LightBounds posed() {
@@ -78,7 +78,7 @@ void addLightCase(std::vector<BenchCase>& cases, const std::string& spec, const 
                          benchmark::DoNotOptimize(bound);
                        }
                    }});
-  if (kind == LightKind::litSpot || rig->probed.nodal()) return;
+  if (kind == LightKind::litSpot || !rig->probed.tight()) return;
   cases.push_back({"bound.probed." + name + "." + spec, "ns/light", static_cast<double>(lights->size()), 1,
                    "bound." + name + "." + spec, [=](benchmark::State& state) {
                      for (auto _ : state)
@@ -101,7 +101,7 @@ void addBoundCases(std::vector<BenchCase>& cases) {
                          benchmark::DoNotOptimize(bounds);
                        }
                      }});
-    if (!rig->probed.nodal())
+    if (rig->probed.tight())
       cases.push_back({"bound.probed.prepare." + spec, "us/character", 1, 1e3, "bound.prepare." + spec,
                        [rig](benchmark::State& state) {
                          for (auto _ : state) {

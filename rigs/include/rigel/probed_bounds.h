@@ -18,7 +18,8 @@
 
 namespace rigel {
 
-/// LightBounds with an error that is the less of both. Rigs that sample at the nodes of a box have the same.
+/// LightBounds with an error that is the less of both. Rigs that sample at the nodes of a box have the same, and so have
+/// those on a surface that were created without RigShape::tightBounds.
 ///
 /// Made once a frame and object (allocates). Reads the rig, which must stay where it is, and in this pose, while it is
 /// asked. A light costs 14 to 25 us, 25 to 80 times LightBounds (`rigel bench --filter bound.probed`), and
@@ -31,8 +32,8 @@ class ProbedBounds {
   ProbedBounds& operator=(ProbedBounds&&) noexcept;
   ~ProbedBounds();
 
-  /// The rig samples at the nodes of a box, and all is as LightBounds has it.
-  bool nodal() const noexcept { return probes_ == nullptr; }
+  /// False where all is as LightBounds has it.
+  bool tight() const noexcept { return probes_ != nullptr; }
 
   /// The rig, in the same pose, is elsewhere.
   void place(const RigFrame& worldFromRig) noexcept;
@@ -49,7 +50,7 @@ class ProbedBounds {
   LightBound of(const Light& light) noexcept;
 
   LightBounds bounds_;
-  std::unique_ptr<Probes> probes_;  // of rigs that sample anywhere
+  std::unique_ptr<Probes> probes_;  // where tight
 };
 
 }  // namespace rigel

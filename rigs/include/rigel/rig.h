@@ -27,6 +27,7 @@ struct RigBox {
 struct RigShape {
   RigBox box;
   std::span<const Vec3> surface;  // points spread evenly over the surface's area; several hundred are plenty
+  bool tightBounds = false;       // ProbedBounds will be asked: creation takes 0.4 ms more for 600 points, 3 for 4096
 };
 
 /// The object in a frame's pose: its box, and where the surface points named by Rig::anchors() are now, in that order.

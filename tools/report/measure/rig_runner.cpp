@@ -245,7 +245,7 @@ Result<std::unique_ptr<RigRunner>> makeRigRunner(const RigSpec& spec, const Ligh
   for (const SurfacePoint& candidate : surface.candidates)
     points.push_back(frame.inversePoint(surfacePosition(object, rest, candidate)));
   return withBands(bands, [&]<int B>() -> Result<std::unique_ptr<RigRunner>> {
-    auto lighting = ObjectLighting<B>::create(spec, {rigBox(frame, rest), points}, asked);
+    auto lighting = ObjectLighting<B>::create(spec, {rigBox(frame, rest), points, true}, asked);
     if (!lighting) return Error{lighting.error().line(), "object '" + object.name + "'"};
     return std::unique_ptr<RigRunner>(std::make_unique<RunnerOf<B>>(*std::move(lighting), asked, surface));
   });
