@@ -13,6 +13,9 @@ constexpr int kPerAnchor = 3;
 // Of points, so many for each probe tell how far the surface is from them all.
 constexpr std::size_t kTelling = 4;
 
+/// Anchors and probes together, where the surface has as many points.
+std::size_t pointsOf(std::size_t surface) noexcept { return std::clamp<std::size_t>(surface * 3 / 7, 256, 1024); }
+
 float squaredDistance(Vec3 a, Vec3 b) noexcept { return dot(a - b, a - b); }
 
 /// In the units of SurfaceProbes::patches; 0 along an axis of no extent.
@@ -123,6 +126,7 @@ SurfaceProbes probeSurface(const RigShape& rest, std::span<const int> anchors) {
   if (!rest.tightBounds) return out;
 
   // The same over all of the surface. Half of its points' spacing follows from how far apart fewer of them are.
+  const std::size_t most = pointsOf(surface.size());
   float spacing = 0;
   for (std::size_t points = anchors.size() + out.probes.size();; ++points) {
     const auto farthest = std::ranges::max_element(distance);
@@ -130,7 +134,7 @@ SurfaceProbes probeSurface(const RigShape& rest, std::span<const int> anchors) {
     const float share = static_cast<float>(points) / static_cast<float>(surface.size());
     if (spacing == 0 || kTelling * points <= surface.size()) spacing = reach * std::sqrt(std::min(1.0f, share));
     out.fineCover = reach + spacing;
-    if (points >= SurfaceProbes::kPoints || !(reach > 0)) break;
+    if (points >= most || !(reach > 0)) break;
     const auto i = static_cast<std::size_t>(farthest - distance.begin());
     add(surface[i], patch[i]);
     for (std::size_t k = 0; k < surface.size(); ++k)

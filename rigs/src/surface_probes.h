@@ -25,12 +25,11 @@ struct SurfaceProbes {
   Vec3 posed(const Probe& probe, Vec3 anchor, const RigBox& box) const noexcept;
   float stretch(const RigBox& box) const noexcept;
 
-  /// Anchors and probes together, where the surface has as many points.
-  static constexpr int kPoints = 256;
 };
 
-/// Probes beyond the few and patches only with RigShape::tightBounds. Cost: surface points x (anchors + 3), then x 256.
-/// Allocates.
+/// Probes beyond the few and patches only with RigShape::tightBounds: 256 to 1024 points with the anchors, of a surface
+/// of 600 to 2400 points, which has to tell how far it is from them all. Cost: surface points x (anchors + 3), then x
+/// points. Allocates.
 SurfaceProbes probeSurface(const RigShape& rest, std::span<const int> anchors);
 
 }  // namespace rigel

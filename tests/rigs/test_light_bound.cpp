@@ -84,8 +84,16 @@ struct Ratios {
   }
 };
 
+void adaptTo(const LightSet& frame, Rig& rig) {
+  std::vector<RadianceSH<3>> functionals(static_cast<std::size_t>(rig.projections()));
+  projectSamples<3>(rig, {}, frame, functionals);
+  adaptRig<3>(rig, functionals);
+}
+
 class LightBound : public testing::TestWithParam<Case> {
  protected:
+  static constexpr int kPromised = 4;  // every fourth light: they take twenty times as long
+
   /// Bound / true of `count` lights made by `next`, over all shapes.
   template <class Next>
   Ratios measure(int count, Next next) {
@@ -94,46 +102,53 @@ class LightBound : public testing::TestWithParam<Case> {
     Ratios out;
     unsigned seed = 0;
     for (const Vec3 half : shapes) {
-      const std::vector<Vec3> surface = ellipsoid(kCentre, half, 600);
       const RigBox box{kCentre - half, kCentre + half};
-      auto rig = Rig::create(specOf(c.spec), {box, surface, true});
+      const std::vector<Vec3> surface = ellipsoid(kCentre, half, 600), fine = ellipsoid(kCentre, half, 2400);
+      Rig rig = *Rig::create(specOf(c.spec), {box, surface});
+      // What promises are made of is a surface that is known as well as in reports.
+      Rig known = *Rig::create(specOf(c.spec), {box, fine, true});
       const float radius = c.domain == Domain::Kind::ball ? half.x : kNoRange;
-      const std::array bounds{LightBounds(*rig, {}, 0, radius), LightBounds(*rig, {}, 0.5f, radius),
-                              LightBounds(*rig, {}, -0.25f, radius)};
+      const auto boundsOf = [&](const Rig& of, float wrap) { return LightBounds(of, {}, wrap, radius); };
+      const auto probedOf = [&](const Rig& of, float wrap) { return ProbedBounds(of, {}, wrap, radius); };
       const std::array wraps{0.0f, 0.5f, -0.25f};
-      std::array probed{ProbedBounds(*rig, {}, 0, radius), ProbedBounds(*rig, {}, 0.5f, radius),
-                        ProbedBounds(*rig, {}, -0.25f, radius)};
+      const std::array bounds{boundsOf(rig, wraps[0]), boundsOf(rig, wraps[1]), boundsOf(rig, wraps[2])};
+      std::array probed{probedOf(known, wraps[0]), probedOf(known, wraps[1]), probedOf(known, wraps[2])};
       RandomLights lights(box, 11 + ++seed, c.domain == Domain::Kind::ellipsoid);
       for (int i = 0; i < count / static_cast<int>(shapes.size()); ++i) {
         const int w = i % 8 == 1 ? 1 : i % 8 == 2 ? 2 : 0;
         const auto light = next(lights);
         rigel::LightBound bound = bounds[w](light);
-        if (c.spec.starts_with("invquad")) {
+        const bool asked = probed[w].tight() && i % kPromised == 0;
+        if (rig.spec().falloff) {
           // Bounds are those of the falloff that the rig has: of this light and another.
           LightSet frame;
           frame.add(light);
           frame.add(lights.sphere());
-          std::vector<RadianceSH<3>> functionals(rig->projections());
-          projectSamples<3>(*rig, {}, frame, functionals);
-          adaptRig<3>(*rig, functionals);
-          bound = LightBounds(*rig, {}, wraps[w], radius)(light);
-          probed[w] = ProbedBounds(*rig, {}, wraps[w], radius);
+          adaptTo(frame, rig);
+          bound = boundsOf(rig, wraps[w])(light);
+          if (asked) {
+            adaptTo(frame, known);
+            probed[w] = probedOf(known, wraps[w]);
+          }
         }
-        const rigel::LightBound tight = probed[w](light);
-        const double truth = trueError(*rig, light, light.position, Domain{box, c.domain}, wraps[w], ++seed);
+        const Domain domain{box, c.domain};
+        const double truth = trueError(rig, light, light.position, domain, wraps[w], ++seed);
         EXPECT_TRUE(std::isfinite(bound.error) && bound.error >= 0);
         EXPECT_LE(truth, bound.error) << describe(light) << " wrap " << wraps[w];
-        EXPECT_LE(truth, tight.error) << describe(light) << " wrap " << wraps[w] << " box " << half.x;
-        EXPECT_LE(tight.error, bound.error) << describe(light);
         if (bound.peak == 0) {
           EXPECT_EQ(truth, 0);
         }
         if (truth > std::numeric_limits<float>::min()) {
           out.ratio.push_back(bound.error / truth);
-          out.probed.push_back(tight.error / truth);
         } else {
           ++out.dark;
         }
+        if (!asked) continue;
+        const float tight = probed[w](light).error;
+        const double trueOfKnown = trueError(known, light, light.position, domain, wraps[w], seed);
+        EXPECT_LE(trueOfKnown, tight) << describe(light) << " wrap " << wraps[w] << " box " << half.x;
+        EXPECT_LE(tight, boundsOf(known, wraps[w])(light).error) << describe(light);
+        if (trueOfKnown > std::numeric_limits<float>::min()) out.probed.push_back(tight / trueOfKnown);
       }
     }
     EXPECT_GT(out.ratio.size(), static_cast<std::size_t>(count / 2));
@@ -151,8 +166,10 @@ class LightBound : public testing::TestWithParam<Case> {
     Ratios ratios = measure(fullRun() ? many : few, next);
     print(kind, ratios);
     EXPECT_LT(Ratios::at(0.5, ratios.ratio), median);
-    if (GetParam().domain == Domain::Kind::ellipsoid || spec.fit == FitMethod::gauss) {
-      EXPECT_LT(Ratios::at(0.5, ratios.probed), spec.falloff ? 7 : std::string(kind) == "spot" ? 7 : 3);
+    if (!ratios.probed.empty()) {
+      // Of few lights medians vary.
+      const double ofDisks = fullRun() || !fewer ? 3 : 4.5;
+      EXPECT_LT(Ratios::at(0.5, ratios.probed), std::string(kind) == "disk" ? ofDisks : 7);
     }
   }
 
@@ -167,7 +184,7 @@ class LightBound : public testing::TestWithParam<Case> {
                   Ratios::at(0.5, ratio), Ratios::at(0.9, ratio), Ratios::at(1, ratio));
     };
     line("bound", r.ratio);
-    line("probed", r.probed);
+    if (!r.probed.empty()) line("probed", r.probed);
   }
 };
 

@@ -239,13 +239,13 @@ double fitMicroseconds(const FitTimes& times, const LightingOptions& asked) {
 
 Result<std::unique_ptr<RigRunner>> makeRigRunner(const RigSpec& spec, const LightingOptions& asked, int bands,
                                                  const SceneObject& object, const PosedObject& rest,
-                                                 const SurfaceSet& surface) {
+                                                 const SurfaceSet& surface, bool promising) {
   const RigFrame frame = rigidFrame(rest.worldFromRig);
   std::vector<Vec3> points;
   for (const SurfacePoint& candidate : surface.candidates)
     points.push_back(frame.inversePoint(surfacePosition(object, rest, candidate)));
   return withBands(bands, [&]<int B>() -> Result<std::unique_ptr<RigRunner>> {
-    auto lighting = ObjectLighting<B>::create(spec, {rigBox(frame, rest), points, true}, asked);
+    auto lighting = ObjectLighting<B>::create(spec, {rigBox(frame, rest), points, promising}, asked);
     if (!lighting) return Error{lighting.error().line(), "object '" + object.name + "'"};
     return std::unique_ptr<RigRunner>(std::make_unique<RunnerOf<B>>(*std::move(lighting), asked, surface));
   });

@@ -120,10 +120,10 @@ class PointShading {
                          std::span<RigRunner::Shaded> out) = 0;
 };
 
-/// Error from ObjectLighting::create.
+/// Error from ObjectLighting::create. `promising`: its promises are to be tight (RigShape::tightBounds).
 Result<std::unique_ptr<RigRunner>> makeRigRunner(const RigSpec& spec, const LightingOptions& asked, int bands,
                                                  const SceneObject& object, const PosedObject& rest,
-                                                 const SurfaceSet& surface);
+                                                 const SurfaceSet& surface, bool promising = false);
 
 /// Lights rigs that choose and are posed, within `microseconds` of modelled time together, as nearly as it allows to
 /// the errors that they want. `shares`: one a rig, filled here; errors of all count alike.

@@ -55,7 +55,7 @@ Result<ObjectRun::MeasuredRig> ObjectRun::makeRig(const RigSpec& spec, const Pos
                                                   const RunOptions& options) const {
   LightingOptions asked = lightingOptions(spec, options);
   asked.wrap = commonWrap(surface_.wrap);
-  auto runner = makeRigRunner(spec, asked, options.bands, *object_, rest, surface_);
+  auto runner = makeRigRunner(spec, asked, options.bands, *object_, rest, surface_, true);
   if (!runner) return runner.error();
   if (options.shading) (*runner)->setShading(options.shading());
   const bool shares = options.budget && chooses(spec, options);
