@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -139,7 +140,8 @@ BoundPlan boundPlan(const Rig& rig, float radius, detail::SamplePlan& samples) n
   if (!nodal) {
     plan.kind = BoundPlan::Kind::samples;
     plan.lebesgue = 1;
-    SamplePlanner(rig).plan(plan, samples);
+    [[maybe_unused]] const bool held = SamplePlanner(rig).plan(plan, samples);
+    assert(held);  // Rig::create takes no more samples
     return plan;
   }
   plan.constant = all(models, AxisModel::Kind::constant);

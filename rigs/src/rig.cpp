@@ -1,3 +1,4 @@
+#include <rigel/light_bound.h>
 #include <rigel/rig.h>
 
 #include "fekete.h"
@@ -61,7 +62,9 @@ std::unique_ptr<Rig::Model> anchoredModel(const RigSpec& spec, const RigShape& r
   // unless the surface itself cannot.
   for (int points = kPointsPerVector + 1; points <= kMostPointsPerVector && model->condition > kWellDetermined;
        ++points) {
-    std::unique_ptr<Rig::Model> more = anchoredModel(spec, rest, lights, anchorCount(spec, points));
+    const int anchors = anchorCount(spec, points);
+    if (anchors > detail::SamplePlan::kMaxSamples) break;  // bounds would know nothing of it
+    std::unique_ptr<Rig::Model> more = anchoredModel(spec, rest, lights, anchors);
     if (more->condition > kWorthwhile * model->condition) break;
     model = std::move(more);
   }
