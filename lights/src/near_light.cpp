@@ -59,8 +59,8 @@ NearLight nearLight(const PointLight& light, float share) noexcept {
 NearLight nearLight(const SpotLight& light, float share) noexcept {
   const Vec3d axis = detail::directionOf(light.direction);
   const bool dark = detail::anyNan(light.innerAngle, light.outerAngle) || detail::dot(axis, axis) == 0;
-  const float range = dark ? 0 : light.range;
-  NearLight out = nearLight(PointLight{light.position, light.intensity, light.radius, range}, share);
+  NearLight out = dark ? black(NearLight::Kind::spot)
+                       : nearLight(PointLight{light.position, light.intensity, light.radius, light.range}, share);
   out.kind = NearLight::Kind::spot;
   if (dark) return out;
   out.axis = detail::narrow(axis);

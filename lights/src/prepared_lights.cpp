@@ -109,11 +109,7 @@ void PreparedLights::set(const LightSet& lights) {
   anyDisk_ = lights.diskCount() > 0;
   lights_.clear();
   reserve(lights.size());
-  for (int i = 0; i < lights.directionalCount(); ++i) prepare(lights.directional(i), push());
-  for (int i = 0; i < lights.pointCount(); ++i) prepare(lights.point(i), push());
-  for (int i = 0; i < lights.spotCount(); ++i) prepare(lights.spot(i), push());
-  for (int i = 0; i < lights.sphereCount(); ++i) prepare(lights.sphere(i), push());
-  for (int i = 0; i < lights.diskCount(); ++i) prepare(lights.disk(i), push());
+  lights.visitAll([this](const auto& light) { prepare(light, push()); });
 }
 
 std::uint32_t PreparedLights::add(const SphereLight& light) {

@@ -118,7 +118,7 @@ void CellLights::select(const FrameLights& lights, const Cell& cell) {
   mergeUses(selection_.near);
   const auto count = [&](const std::vector<LightUse>& uses) { return std::ranges::count_if(uses, isSingle); };
   entry.single = static_cast<std::size_t>(count(selection_.near));
-  const auto singles = static_cast<int>(count(selection_.near) + count(selection_.distant));
+  const auto singles = static_cast<int>(entry.single) + static_cast<int>(count(selection_.distant));
   const auto all = static_cast<int>(selection_.near.size() + selection_.distant.size());
   entry.rest.lights = singles + far.lights;
   entry.rest.clusters = all - singles + far.clusters;

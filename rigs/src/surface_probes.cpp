@@ -19,11 +19,12 @@ std::size_t pointsOf(std::size_t surface) noexcept { return std::clamp<std::size
 float squaredDistance(Vec3 a, Vec3 b) noexcept { return dot(a - b, a - b); }
 
 /// In the units of SurfaceProbes::patches; 0 along an axis of no extent.
-Eigen::Vector3d perHalf(Vec3 offset, Vec3 half) noexcept {
-  Eigen::Vector3d x;
-  for (int a = 0; a < 3; ++a) x[a] = half[a] > 0 ? static_cast<double>(offset[a] / half[a]) : 0;
-  return x;
+Vec3 perHalf(Vec3 offset, Vec3 half) noexcept {
+  for (int a = 0; a < 3; ++a) offset[a] = half[a] > 0 ? offset[a] / half[a] : 0;
+  return offset;
 }
+
+Eigen::Vector3d widened(Vec3 v) noexcept { return Eigen::Vector3f(v.x, v.y, v.z).cast<double>(); }
 
 /// Ellipsoids with room for more than the surface's own points, and with those that are nearest to each probe in it.
 void measurePatches(std::span<const Vec3> surface, std::span<const Vec3> points, SurfaceProbes& out) {
@@ -44,7 +45,7 @@ void measurePatches(std::span<const Vec3> surface, std::span<const Vec3> points,
         nearest[i] = static_cast<int>(p);
       }
       if (!(d < around * around) || !(d > 0)) continue;
-      const Eigen::Vector3d x = perHalf(surface[i] - points[p], out.half);
+      const Eigen::Vector3d x = widened(perHalf(surface[i] - points[p], out.half));
       moments += x * x.transpose();
       ++count;
     }
@@ -57,7 +58,7 @@ void measurePatches(std::span<const Vec3> surface, std::span<const Vec3> points,
     out.patches.push_back(ProbePatch(moments));
   }
   for (std::size_t i = 0; i < surface.size(); ++i)
-    out.patches[nearest[i]].hold(kReach * perHalf(surface[i] - points[nearest[i]], out.half));
+    out.patches[nearest[i]].hold(kReach * widened(perHalf(surface[i] - points[nearest[i]], out.half)));
 }
 
 }  // namespace
@@ -97,9 +98,7 @@ SurfaceProbes probeSurface(const RigShape& rest, std::span<const int> anchors) {
   }
   std::vector<Vec3> placed;
   const auto add = [&](Vec3 p, int anchor) {
-    Vec3 offset = p - surface[anchors[anchor]];
-    for (int axis = 0; axis < 3; ++axis) offset[axis] = out.half[axis] > 0 ? offset[axis] / out.half[axis] : 0;
-    out.probes.push_back({anchor, offset});
+    out.probes.push_back({anchor, perHalf(p - surface[anchors[anchor]], out.half)});
     placed.push_back(p);
   };
   // Farthest points of each patch, one after another (T. Gonzalez 1985).

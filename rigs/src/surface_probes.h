@@ -24,7 +24,6 @@ struct SurfaceProbes {
   /// Where a probe is in a pose with its anchor there, and what lengths are to be multiplied by.
   Vec3 posed(const Probe& probe, Vec3 anchor, const RigBox& box) const noexcept;
   float stretch(const RigBox& box) const noexcept;
-
 };
 
 /// Probes beyond the few and patches only with RigShape::tightBounds: 256 to 1024 points with the anchors, of a surface

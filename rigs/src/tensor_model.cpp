@@ -139,10 +139,10 @@ void Rig::TensorModel::basis(Vec3 p, RigBasis& out) const noexcept {
 
 void Rig::TensorModel::axisRows(int axis, std::span<const float> u, std::span<float> rows) const noexcept {
   const int nodes = axis_[axis].nodes;
+  if (nodes > 1 && !gaussGrid_ && spec.kernel != LatticeKernel::cubic)
+    return basisrows::hats(nodes, spec.kernel == LatticeKernel::smooth, u.data(), u.size(), rows.data());
   std::ranges::fill(rows, nodes == 1 ? 1.0f : 0.0f);
   if (nodes == 1) return;
-  if (!gaussGrid_ && spec.kernel != LatticeKernel::cubic)
-    return basisrows::hats(nodes, spec.kernel == LatticeKernel::smooth, u.data(), u.size(), rows.data());
   std::array<float, kMaxGaussVectors> lagrange;
   for (std::size_t i = 0; i < u.size(); ++i) {
     int first = 0;
