@@ -133,20 +133,18 @@ namespace {
 HWY_EXPORT(sumFarLights);
 
 using detail::FarBlock;
-using detail::PreparedKind;
 
 /// Whether the light is among those that are made for this.
 bool put(FarBlock& block, int i, const detail::PreparedLight& light, float share) noexcept {
-  const bool sphere = light.kind == PreparedKind::sphere;
-  if (!sphere && light.kind != PreparedKind::point && light.kind != PreparedKind::spot) return false;
-  const float r2 = sphere ? light.radius * light.radius : light.radiusSquare;
+  if (!isLocal(light)) return false;
+  const float r2 = light.radiusSquare;
   // Also false for NaN.
   if (!(dot(light.position, light.position) < 1e30f && r2 < 1e30f)) return false;
   block.x[i] = light.position.x;
   block.y[i] = light.position.y;
   block.z[i] = light.position.z;
   block.squaredRadius[i] = r2;
-  for (int c = 0; c < 3; ++c) block.flux[c][i] = light.colour[c] * (2 * share * (sphere ? r2 : 1));
+  for (int c = 0; c < 3; ++c) block.flux[c][i] = light.colour[c] * (2 * share * (light.arealess ? r2 : 1));
   return true;
 }
 

@@ -11,7 +11,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace rigel::HWY_NAMESPACE {
 
-// x is positive and finite, or the result anything.
+// x is positive and finite, or the result anything; inverseRoot of infinity is NaN, so that what is too far shows.
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
 
 HWY_INLINE Lane root(Lane x) {
@@ -35,7 +35,7 @@ HWY_INLINE Lane quotient(Lane a, Lane b) {
 #else
 
 HWY_INLINE Lane root(Lane x) { return sqrt(x); }
-HWY_INLINE Lane inverseRoot(Lane x) { return Lane(1.0f) / sqrt(x); }
+HWY_INLINE Lane inverseRoot(Lane x) { return sqrt(x) / x; }
 HWY_INLINE Lane quotient(Lane a, Lane b) { return a / b; }
 
 #endif

@@ -22,10 +22,10 @@ Rgb scaled(Rgb colour, double scale) noexcept {
   return {rounded(colour.r * scale), rounded(colour.g * scale), rounded(colour.b * scale)};
 }
 
-/// `unit`: e at distance 1; e and e/d are to stay within what their product with the colour allows.
-void setNearest(PreparedLight& light, double unit) noexcept {
+/// e and e/d are to stay within what their product with the colour allows.
+void setNearest(PreparedLight& light) noexcept {
   const double r2 = static_cast<double>(light.radius) * light.radius;
-  const double held = unit / detail::largestFlux(light.colour);
+  const double held = 1 / detail::largestFlux(light.colour);
   double nearest = std::max({detail::kCloseSquare * r2, held, detail::kMinPreparedSquare});
   // The cube root is asked for where it counts, at lights as bright as none that is meant.
   if (held * held > nearest * nearest * nearest) nearest = std::cbrt(held * held);
@@ -53,7 +53,7 @@ void prepare(const PointLight& light, PreparedLight& out) noexcept {
   out.colour = scaled(light.intensity, 1);
   out.radiusSquare = out.radius * out.radius;
   out.inverseRangeSquare = rounded(1 / (static_cast<double>(light.range) * light.range));
-  setNearest(out, 1);
+  setNearest(out);
 }
 
 void prepare(const SpotLight& light, PreparedLight& out) noexcept {
@@ -72,11 +72,19 @@ void prepare(const SpotLight& light, PreparedLight& out) noexcept {
 
 void prepare(const SphereLight& light, PreparedLight& out) noexcept {
   if (detail::anyNan(light.position) || !(light.radius > 0) || detail::anyNan(light.radiance)) return;
+  const double peak = detail::peakOf(light.radiance);
+  if (peak == 0) return;
   out.kind = PreparedKind::sphere;
   out.position = light.position;
   out.radius = std::min(light.radius, std::numeric_limits<float>::max());
-  out.colour = scaled(light.radiance, kPi);
-  setNearest(out, static_cast<double>(light.radius) * light.radius);
+  const double r2 = static_cast<double>(out.radius) * out.radius;
+  out.arealess = !detail::hasRoom(r2) || !detail::hasRoom(r2 * peak);
+  out.colour = scaled(light.radiance, out.arealess ? kPi : kPi * r2);
+  out.radiusSquare = static_cast<float>(r2);
+  setNearest(out);
+  if (!out.arealess) return;
+  out.extreme = true;
+  out.nearestSquare = std::numeric_limits<float>::infinity();
 }
 
 void prepare(const DiskLight& light, PreparedLight& out) noexcept {

@@ -18,11 +18,16 @@ inline constexpr double kSmallSquare = 1.0 / 64;
 /// From this square of the distance on the kernels stay in float, up to where it overflows.
 inline constexpr double kMinPreparedSquare = 1e-30;
 
+/// Squares of radii, and they times colours, that float holds with room for what is made of them.
+inline bool hasRoom(double x) noexcept { return x > 1e-28 && x < 1e28; }
+
+inline double peakOf(Rgb colour) noexcept {
+  return std::max({std::abs(colour.r), std::abs(colour.g), std::abs(colour.b)});
+}
+
 /// What e may be at most, so that 2 colour e stays within kMaxProjectionScale.
 inline double largestFlux(Rgb colour) noexcept {
-  const double peak = std::max({std::abs(static_cast<double>(colour.r)), std::abs(static_cast<double>(colour.g)),
-                                std::abs(static_cast<double>(colour.b)), 1e-30});
-  return static_cast<double>(kMaxProjectionScale) / (2 * peak);
+  return static_cast<double>(kMaxProjectionScale) / (2 * std::max(peakOf(colour), 1e-30));
 }
 
 /// `light` is a point, a spot or a sphere. SH are 2 colour fluxScale modulation times functions of view, as there.
@@ -30,13 +35,8 @@ inline LocalTerm preparedTerm(const PreparedLight& light, Vec3 p, float footprin
   LocalTerm term;
   term.view = viewSphere(light.position, std::max(light.radius, footprint), p);
   if (!term.view.valid) return term;
-  if (light.kind == PreparedKind::sphere) {
-    const double share = light.radius / term.view.radius;
-    term.fluxScale = term.view.capSolidAngleShare() * (share * share);
-    return term;
-  }
-  const double reach = std::max(term.view.distance, term.view.radius);
-  term.fluxScale = 1 / (reach * reach);
+  const double perReach = (light.arealess ? light.radius : 1) / std::max(term.view.distance, term.view.radius);
+  term.fluxScale = perReach * perReach;
   if (light.inverseRangeSquare > 0)
     term.modulation = rangeWindow(term.view, 1 / std::sqrt(static_cast<double>(light.inverseRangeSquare)));
   if (light.kind == PreparedKind::spot) {

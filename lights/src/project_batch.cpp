@@ -5,15 +5,17 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "disk_batch_light.h"
+#include "light_blocks.h"
 #include "prepared_term.h"
 #include "project_block.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "project_batch.cpp"
-#include <hwy/foreach_target.h>
 #include <hwy/cache_control.h>
+#include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
 #include "disk_batch_kernels.h"
@@ -26,12 +28,14 @@ namespace rigel::HWY_NAMESPACE {
 
 namespace {
 
+using detail::BlockKind;
 using detail::kLightBlock;
 using detail::kTileVectors;
 using detail::LightBlock;
 using detail::PreparedKind;
 using detail::PreparedLight;
 using detail::RawRgb;
+using detail::SortedLights;
 
 /// A block of lights at a vector of points, without those that reach none of them.
 template <int B>
@@ -56,7 +60,7 @@ struct Rows {
   Unsure unsure[kLightBlock];
 };
 
-template <int B, PreparedKind Kind, bool WithFootprint>
+template <int B, BlockKind Kind, bool WithFootprint>
 HWY_INLINE typename Rows<B>::Unsure unsureOf(const PreparedLight& light, const PointLanes& points, Lane square, Lane s2,
                                              int row) {
   return {&light, row, oneWhere(isServed<WithFootprint>(light, points, square, s2)),
@@ -96,7 +100,7 @@ HWY_NOINLINE void leaveOutDark(const LightBlock& block, const std::uint8_t* kept
 
 /// The way to the next light is begun before that to the one at hand is finished: the chain from a position to what is
 /// seen is longer than a core looks ahead.
-template <int B, PreparedKind Kind, bool Boundless, bool WithFootprint>
+template <int B, BlockKind Kind, bool WithFootprint>
 HWY_NOINLINE void seeBlock(const LightBlock& block, const PointLanes& points, Fetch& ahead, Rows<B>& rows) {
   int count = 0, unsureCount = 0;
   std::uint8_t kept[kLightBlock];
@@ -107,19 +111,19 @@ HWY_NOINLINE void seeBlock(const LightBlock& block, const PointLanes& points, Fe
     next = apartFrom(*block.light[i + 1], points);
     fetch.step();
     const PreparedLight& light = *block.light[i];
-    const Sight sight = see<B, Kind, Boundless, WithFootprint>(light, points, apart, rows.seen[count], nullptr);
-    if (!Boundless && sight.dark) continue;
+    const Sight sight = see<Kind, WithFootprint>(light, points, apart, rows.seen[count], nullptr);
+    if (!kBoundless<Kind> && sight.dark) continue;
     if (HWY_UNLIKELY(!sight.easy))
       rows.unsure[unsureCount++] = unsureOf<B, Kind, WithFootprint>(light, points, apart.square, sight.s2, count);
-    if constexpr (!Boundless) kept[count] = static_cast<std::uint8_t>(i);
+    if constexpr (!kBoundless<Kind>) kept[count] = static_cast<std::uint8_t>(i);
     ++count;
   }
   ahead = fetch;
   rows.count = count;
   rows.unsureCount = unsureCount;
-  rows.colour = block.colour.data();
-  rows.shares = block.shares.data();
-  if (!Boundless && count < block.count) leaveOutDark(block, kept, rows);
+  rows.colour = block.colour;
+  rows.shares = block.shares;
+  if (!kBoundless<Kind> && count < block.count) leaveOutDark(block, kept, rows);
 }
 
 template <int B>
@@ -193,58 +197,30 @@ HWY_INLINE void addSeen(Rows<B>& rows, std::size_t at, Lane* sums) {
 template <int B>
 constexpr int kRows = 3 * B* B;
 
-template <int B, PreparedKind Kind, bool Boundless, bool WithFootprint>
-void addBlock(LightBlock& block, const Tile& tile, std::size_t period, Fetch& ahead, Rows<B>& rows, Lane* sums) {
-  block.light[block.count] = block.light[block.count - 1];
-  for (int v = 0; v < tile.vectors; ++v, sums += kRows<B>) {
-    const PointLanes points = tile.points(v);
-    seeBlock<B, Kind, Boundless, WithFootprint>(block, points, ahead, rows);
-    seeUnsure<B>(points, rows);
-    if (block.shared)
-      addSeen<B, true>(rows, tile.shareAt(v, period), sums);
-    else
-      addSeen<B, false>(rows, 0, sums);
-  }
-  block.count = 0;
-  block.shared = false;
+template <int B, BlockKind Kind, bool WithFootprint>
+void addBlocks(const SortedLights& lights, const Tile& tile, std::size_t period, Fetch& ahead, Rows<B>& rows,
+               Lane* sums) {
+  lights.visit(Kind, kLightBlock, [&](const LightBlock& block) {
+    for (int v = 0; v < tile.vectors; ++v) {
+      const PointLanes points = tile.points(v);
+      seeBlock<B, Kind, WithFootprint>(block, points, ahead, rows);
+      seeUnsure<B>(points, rows);
+      if (block.shared)
+        addSeen<B, true>(rows, tile.shareAt(v, period), sums + v * kRows<B>);
+      else
+        addSeen<B, false>(rows, 0, sums + v * kRows<B>);
+    }
+  });
 }
 
-/// `Boundless`: lights all points.
-template <PreparedKind Kind, bool Boundless>
-struct LocalKind {};
-using Sphere = LocalKind<PreparedKind::sphere, true>;
-using Point = LocalKind<PreparedKind::point, true>;
-using Windowed = LocalKind<PreparedKind::point, false>;
-using Spot = LocalKind<PreparedKind::spot, false>;
-
 template <int B, bool WithFootprint>
-HWY_NOINLINE void sumLocalLights(const PreparedLights& lights, std::span<const LightUse> uses,
-                                 const PointShares& shares, const Tile& tile, Fetch& ahead, Lane* sums) {
+HWY_NOINLINE void addLocalLights(const SortedLights& lights, const Tile& tile, std::size_t period, Fetch& ahead,
+                                 Lane* sums) {
   Rows<B> rows;
-  LightBlock spheres, points, windowed, spots;
-  const auto flush = [&]<PreparedKind Kind, bool Boundless>(LightBlock& block, LocalKind<Kind, Boundless>) {
-    addBlock<B, Kind, Boundless, WithFootprint>(block, tile, shares.period, ahead, rows, sums);
-  };
-  for (std::size_t u = 0; u < uses.size(); ++u) {
-    const PreparedLight& light = lights[uses[u].light];
-    const float share = detail::heldShare(uses[u].share);
-    const float* row = detail::shareRow(shares, u);
-    const auto add = [&](LightBlock& block, auto kind) {
-      block.light[block.count] = &light;
-      block.colour[block.count] = light.colour * share;
-      block.shares[block.count] = row;
-      block.shared = block.shared || row != nullptr;
-      if (++block.count == kLightBlock) flush(block, kind);
-    };
-    if (light.kind == PreparedKind::sphere) add(spheres, Sphere());
-    if (light.kind == PreparedKind::point)
-      light.inverseRangeSquare > 0 ? add(windowed, Windowed()) : add(points, Point());
-    if (light.kind == PreparedKind::spot) add(spots, Spot());
-  }
-  if (spheres.count > 0) flush(spheres, Sphere());
-  if (points.count > 0) flush(points, Point());
-  if (windowed.count > 0) flush(windowed, Windowed());
-  if (spots.count > 0) flush(spots, Spot());
+  addBlocks<B, BlockKind::sphere, WithFootprint>(lights, tile, period, ahead, rows, sums);
+  addBlocks<B, BlockKind::point, WithFootprint>(lights, tile, period, ahead, rows, sums);
+  addBlocks<B, BlockKind::windowedPoint, WithFootprint>(lights, tile, period, ahead, rows, sums);
+  addBlocks<B, BlockKind::spot, WithFootprint>(lights, tile, period, ahead, rows, sums);
 }
 
 /// What the points of a vector take of a light.
@@ -268,6 +244,7 @@ void diskSh(const PreparedLight& light, const Tile& tile, float* sh) {
 template <int B>
 HWY_NOINLINE void addDisks(const PreparedLights& lights, std::span<const LightUse> uses, const PointShares& shares,
                            const Tile& tile, Lane* sums) {
+  constexpr std::array<float, B* B> kScale = detail::shScale<B>();
   float sh[B * B * kTileVectors * Lane::kCount];
   for (std::size_t u = 0; u < uses.size(); ++u) {
     const PreparedLight& light = lights[uses[u].light];
@@ -282,7 +259,7 @@ HWY_NOINLINE void addDisks(const PreparedLights& lights, std::span<const LightUs
         const Lane unit = own * select(abs(computed) < Lane(8.0f), computed, Lane(0.0f));
         for (int c = 0; c < 3; ++c) {
           Lane& sum = sums[v * kRows<B> + 3 * i + c];
-          sum = mulAdd(unit, Lane(light.colour[c] * share), sum);
+          sum = mulAdd(unit, Lane(light.colour[c] * share / kScale[static_cast<std::size_t>(i)]), sum);
         }
       }
     }
@@ -297,11 +274,12 @@ HWY_NOINLINE void addSharedDirectional(const PreparedLights& lights, std::span<c
     const PreparedLight& light = lights[uses[u].light];
     if (light.kind != PreparedKind::directional || shares.rows[u] == nullptr) continue;
     const RadianceSH<B> sh = detail::directionalSh<B>(light, uses[u].share);
+    constexpr std::array<float, B* B> kScale = detail::shScale<B>();
     for (int v = 0; v < tile.vectors; ++v) {
       const Lane own = shareOf(shares, u, tile, v);
       for (int i = 0; i < kRows<B>; ++i) {
         Lane& sum = sums[v * kRows<B> + i];
-        sum = mulAdd(own, Lane(sh.data()[i]), sum);
+        sum = mulAdd(own, Lane(sh.data()[i] / kScale[static_cast<std::size_t>(i / 3)]), sum);
       }
     }
   }
@@ -309,16 +287,12 @@ HWY_NOINLINE void addSharedDirectional(const PreparedLights& lights, std::span<c
 
 /// Scaled, and with the light that is the same everywhere.
 template <int B>
-HWY_NOINLINE void finish(const RadianceSH<B>& everywhere, int vectors, Lane* sums) {
-  constexpr std::array<float, B* B> kScale = detail::shScale<B>();
-  for (int i = 0; i < B * B; ++i)
-    for (int c = 0; c < 3; ++c) {
-      const Lane scale(kScale[static_cast<std::size_t>(i)]), constant(everywhere[i][c]);
-      for (int v = 0; v < vectors; ++v) {
-        Lane& sum = sums[v * kRows<B> + 3 * i + c];
-        sum = mulAdd(sum, scale, constant);
-      }
-    }
+HWY_NOINLINE void storeSums(const RadianceSH<B>& everywhere, const Lane* sums, std::size_t count, float* out,
+                            std::size_t stride) {
+  static constexpr std::array<float, B* B> kScale = detail::shScale<B>();
+  storeRows<kRows<B>>(count, out, stride, [&](std::size_t row, std::size_t v) HWY_ATTR {
+    return mulAdd(sums[v * kRows<B> + row], Lane(kScale[row / 3]), Lane(everywhere.data()[row]));
+  });
 }
 
 template <int B>
@@ -328,17 +302,23 @@ void projectPoints(const PreparedLights& lights, std::span<const LightUse> uses,
   if (lights.anyDirectional()) everywhere = detail::directionalSh<B>(lights, uses, shares);
   Lane sums[kTileVectors * kRows<B>];
   Fetch fetch(ahead, uses.size(), points.size());
+  SortedLights sorted;
+  std::size_t begin = uses.size();  // of what is sorted
   for (std::size_t at = 0; at < points.size(); at += kTileVectors * Lane::kCount) {
     const Tile tile(points, footprints, at);
     std::fill_n(sums, tile.vectors * kRows<B>, Lane(0.0f));
-    if (footprints.empty())
-      sumLocalLights<B, false>(lights, uses, shares, tile, fetch, sums);
-    else
-      sumLocalLights<B, true>(lights, uses, shares, tile, fetch, sums);
-    finish<B>(everywhere, tile.vectors, sums);
+    for (std::size_t first = 0; first < uses.size(); first += detail::kSortedUses) {
+      if (first != std::exchange(begin, first))
+        sorted.set(lights, uses.subspan(first, std::min(detail::kSortedUses, uses.size() - first)),
+                   shares.rows.empty() ? nullptr : shares.rows.data() + first);
+      if (footprints.empty())
+        addLocalLights<B, false>(sorted, tile, shares.period, fetch, sums);
+      else
+        addLocalLights<B, true>(sorted, tile, shares.period, fetch, sums);
+    }
     if (lights.anyDisk()) addDisks<B>(lights, uses, shares, tile, sums);
     if (lights.anyDirectional()) addSharedDirectional<B>(lights, uses, shares, tile, sums);
-    storeRows<kRows<B>>(sums, kRows<B>, tile.count, out + at, points.size());
+    storeSums<B>(everywhere, sums, tile.count, out + at, points.size());
   }
 }
 

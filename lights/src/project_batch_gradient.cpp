@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "careful_slopes.h"
+#include "light_blocks.h"
 #include "prepared_term.h"
 #include "project_block.h"
 #include "slope_terms.h"
@@ -25,12 +27,14 @@ namespace rigel::HWY_NAMESPACE {
 
 namespace {
 
+using detail::BlockKind;
 using detail::kSlopeBlock;
 using detail::LightBlock;
 using detail::PreparedKind;
 using detail::PreparedLight;
 using detail::RawRgb;
 using detail::SlopeNumbers;
+using detail::SortedLights;
 
 template <int B>
 constexpr int kValues = 3 * B* B;
@@ -98,7 +102,7 @@ void addAxial(const PreparedLight& light, Rgb colour, const SeenLanes& axial, Sl
   for (int axis = 0; axis < 3; ++axis) rows.axialColours[axis][k] = colour * -light.axis[axis];
 }
 
-template <int B, PreparedKind Kind>
+template <int B, BlockKind Kind>
 HWY_NOINLINE void weighBlock(const LightBlock& block, const PointLanes& points, SlopeRows<B>& rows) {
   int count = 0;
   rows.axialCount = 0;
@@ -111,15 +115,15 @@ HWY_NOINLINE void weighBlock(const LightBlock& block, const PointLanes& points, 
     SeenLanes& seen = rows.seen[count];
     BandWeights<B>& weights = rows.weights[count];
     SlopeLanes slope;
-    const Sight sight = see<B, Kind, Kind == PreparedKind::sphere, false>(light, points, apart, seen, &slope);
-    if (Kind != PreparedKind::sphere && sight.dark) continue;
+    const Sight sight = see<Kind, false>(light, points, apart, seen, &slope);
+    if (!kBoundless<Kind> && sight.dark) continue;
     if (HWY_UNLIKELY(!sight.easy)) seeLarge(sight.s2, oneWhere(isSmall<kTiny<Kind, false>>(sight.s2)), seen);
     weighValue<B>(seen, weights);
     weighPlus<B>(seen, slope, weights);
-    const bool modulated = Kind == PreparedKind::spot || (Kind == PreparedKind::point && light.inverseRangeSquare > 0);
-    if (modulated) weighModulation<B>(seen, slope, weights);
+    constexpr bool modulated = !kBoundless<Kind>;
+    if constexpr (modulated) weighModulation<B>(seen, slope, weights);
     bool withExcess = modulated;
-    bool withAxial = Kind == PreparedKind::spot && !all(slope.axial <= Lane(0.0f));
+    bool withAxial = Kind == BlockKind::spot && !all(slope.axial <= Lane(0.0f));
     const auto served = [&]() HWY_ATTR { return isServed<false>(light, points, apart.square, sight.s2); };
     if (HWY_UNLIKELY(!sight.easy && !all(served()))) {
       if (!modulated) std::fill_n(weights.excess, B, Lane(0.0f));
@@ -128,7 +132,7 @@ HWY_NOINLINE void weighBlock(const LightBlock& block, const PointLanes& points, 
       axial.e = slope.axial;
       axial.band0 = quotient(slope.axial, Lane(1.0f) + seen.c);
       weighWithCare<B>(light, points, oneWhere(served()), seen, weights, axial);
-      if (Kind == PreparedKind::spot) addAxial<B>(light, block.colour[i], axial, rows);
+      if (Kind == BlockKind::spot) addAxial<B>(light, block.colour[i], axial, rows);
       withExcess = true;
     } else if (withAxial) {
       SeenLanes axial = seen;
@@ -219,47 +223,31 @@ struct SlopeSums {
   bool anyExcess = false, anyAxial = false;
 };
 
-template <int B, PreparedKind Kind>
-void addBlock(LightBlock& block, const PointLanes& points, SlopeRows<B>& rows, SlopeSums<B>& sums) {
-  block.light[block.count] = block.light[block.count - 1];
-  weighBlock<B, Kind>(block, points, rows);
-  addOrdinary<B>(rows, sums.numbers);
-  if (rows.excess) {
-    numberExcess<B>(rows);
-    addExcess<B>(rows, sums.numbers);
-    sums.anyExcess = true;
-  }
-  if (rows.axialCount > 0) {
-    if (!sums.anyAxial) std::fill_n(sums.axial, 3 * kValues<B>, Lane(0.0f));
-    addAxials<B>(rows, sums.axial);
-    sums.anyAxial = true;
-  }
-  block.count = 0;
+template <int B, BlockKind Kind>
+void addBlocks(const SortedLights& lights, const PointLanes& points, SlopeRows<B>& rows, SlopeSums<B>& sums) {
+  lights.visit(Kind, kSlopeBlock, [&](const LightBlock& block) {
+    weighBlock<B, Kind>(block, points, rows);
+    addOrdinary<B>(rows, sums.numbers);
+    if (rows.excess) {
+      numberExcess<B>(rows);
+      addExcess<B>(rows, sums.numbers);
+      sums.anyExcess = true;
+    }
+    if (rows.axialCount > 0) {
+      if (!sums.anyAxial) std::fill_n(sums.axial, 3 * kValues<B>, Lane(0.0f));
+      addAxials<B>(rows, sums.axial);
+      sums.anyAxial = true;
+    }
+  });
 }
 
 template <int B>
-HWY_NOINLINE void sumLocalSlopes(const PreparedLights& lights, std::span<const LightUse> uses, const PointLanes& points,
-                                 SlopeSums<B>& sums) {
-  std::fill_n(sums.numbers, 3 * kNumbers<B>, Lane(0.0f));
-  sums.anyExcess = sums.anyAxial = false;
+HWY_NOINLINE void addLocalSlopes(const SortedLights& lights, const PointLanes& points, SlopeSums<B>& sums) {
   SlopeRows<B> rows;
-  LightBlock spheres, locals, spots;
-  for (const LightUse& use : uses) {
-    const PreparedLight& light = lights[use.light];
-    const float share = detail::heldShare(use.share);
-    const auto add = [&]<PreparedKind Kind>(LightBlock& block, std::integral_constant<PreparedKind, Kind>) {
-      block.light[block.count] = &light;
-      block.colour[block.count] = light.colour * share;
-      if (++block.count == kSlopeBlock) addBlock<B, Kind>(block, points, rows, sums);
-    };
-    if (!(share > 0)) continue;
-    if (light.kind == PreparedKind::sphere) add(spheres, std::integral_constant<PreparedKind, PreparedKind::sphere>());
-    if (light.kind == PreparedKind::point) add(locals, std::integral_constant<PreparedKind, PreparedKind::point>());
-    if (light.kind == PreparedKind::spot) add(spots, std::integral_constant<PreparedKind, PreparedKind::spot>());
-  }
-  if (spheres.count > 0) addBlock<B, PreparedKind::sphere>(spheres, points, rows, sums);
-  if (locals.count > 0) addBlock<B, PreparedKind::point>(locals, points, rows, sums);
-  if (spots.count > 0) addBlock<B, PreparedKind::spot>(spots, points, rows, sums);
+  addBlocks<B, BlockKind::sphere>(lights, points, rows, sums);
+  addBlocks<B, BlockKind::point>(lights, points, rows, sums);
+  addBlocks<B, BlockKind::windowedPoint>(lights, points, rows, sums);
+  addBlocks<B, BlockKind::spot>(lights, points, rows, sums);
 }
 
 /// What `terms` make of sums, added to the rows of the derivatives.
@@ -328,14 +316,23 @@ void projectSlopes(const PreparedLights& lights, std::span<const LightUse> uses,
   if (lights.anyDirectional()) everywhere = detail::directionalSh<B>(lights, uses, {});
   SlopeSums<B> sums;
   Lane rows[4 * kValues<B>];
+  SortedLights sorted;
+  std::size_t begin = uses.size();  // of what is sorted
   for (std::size_t at = 0; at < points.size(); at += detail::kTileVectors * Lane::kCount) {
     const Tile tile(points, {}, at);
     for (int v = 0; v < tile.vectors; ++v) {
-      sumLocalSlopes<B>(lights, uses, tile.points(v), sums);
+      std::fill_n(sums.numbers, 3 * kNumbers<B>, Lane(0.0f));
+      sums.anyExcess = sums.anyAxial = false;
+      for (std::size_t first = 0; first < uses.size(); first += detail::kSortedUses) {
+        if (first != std::exchange(begin, first))
+          sorted.set(lights, uses.subspan(first, std::min(detail::kSortedUses, uses.size() - first)), nullptr);
+        addLocalSlopes<B>(sorted, tile.points(v), sums);
+      }
       finishSlopes<B>(everywhere, sums, rows);
       if (lights.anyDisk()) addDiskSlopes<B>(lights, uses, tile, v, rows);
-      const std::size_t first = static_cast<std::size_t>(v) * Lane::kCount;
-      storeRows<4 * kValues<B>>(rows, 0, std::min(Lane::kCount, tile.count - first), out + at + first, points.size());
+      const std::size_t firstPoint = static_cast<std::size_t>(v) * Lane::kCount;
+      storeRows<4 * kValues<B>>(std::min(Lane::kCount, tile.count - firstPoint), out + at + firstPoint, points.size(),
+                                [&](std::size_t row, std::size_t) HWY_ATTR { return rows[row]; });
     }
   }
 }

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 
+#include "light_blocks.h"
 #include "sh_polynomials.h"
 
 namespace rigel::detail {
@@ -20,27 +21,6 @@ inline constexpr int kLightBlock = 32;
 inline constexpr int kSlopeBlock = 16;
 /// Vectors of points that a block of lights serves while it is at hand.
 inline constexpr int kTileVectors = 4;
-
-/// An Rgb that begins with no value: blocks of lights are made for every tile, and hold few lights or many.
-/// Of four numbers it is moved as one vector.
-struct alignas(16) RawRgb {
-  float r, g, b, unused;
-
-  RawRgb() = default;
-  RawRgb(Rgb c) noexcept : r(c.r), g(c.g), b(c.b), unused(0) {}
-  operator Rgb() const noexcept { return {r, g, b}; }
-};
-
-/// Lights of one kind, and their colours times shares.
-struct LightBlock {
-  int count = 0;
-  std::array<const PreparedLight*, kLightBlock + 1> light;  // one more, any, behind the last
-  std::array<RawRgb, kLightBlock> colour;
-  std::array<const float*, kLightBlock> shares;  // of PointShares
-  bool shared = false;                           // not all of them null
-};
-
-inline float heldShare(float share) noexcept { return share > 0 ? std::min(share, 1.0f) : 0.0f; }
 
 /// Constants of the basis, as the kernels' polynomials leave them out (lane_polynomials.h).
 inline constexpr double kBasisScale[] = {kRigelY00,

@@ -16,7 +16,7 @@ namespace rigel::HWY_NAMESPACE {
 
 /// A vector of points; footprint is 0 where they are points indeed.
 struct PointLanes {
-  Lane x, y, z, footprint;
+  Lane x, y, z, footprint, footprintSquare;
 };
 
 /// A light at a vector of points.
@@ -45,8 +45,12 @@ struct SlopeLanes {
 HWY_INLINE Lane oneWhere(LaneMask mask) { return select(mask, Lane(1.0f), Lane(0.0f)); }
 
 /// Points and spots of no footprint are smaller, unless they are right there, and do with the first terms.
-template <detail::PreparedKind Kind, bool WithFootprint>
-inline constexpr bool kTiny = Kind != detail::PreparedKind::sphere && !WithFootprint;
+template <detail::BlockKind Kind, bool WithFootprint>
+inline constexpr bool kTiny = Kind != detail::BlockKind::sphere && !WithFootprint;
+
+/// Without window and cone.
+template <detail::BlockKind Kind>
+inline constexpr bool kBoundless = Kind == detail::BlockKind::sphere || Kind == detail::BlockKind::point;
 
 /// c and 1/(1+c) of lights that are small enough, without a root: quadratics fitted to s2 < 1/64, within 1e-8; or the
 /// first terms, which leave out s2^2/8 and s2^2/16.
@@ -87,52 +91,34 @@ HWY_INLINE ApartLanes apartFrom(const detail::PreparedLight& light, const PointL
 template <bool WithFootprint>
 HWY_INLINE LaneMask isServed(const detail::PreparedLight& light, const PointLanes& points, Lane square, Lane s2) {
   LaneMask served = square >= Lane(light.nearestSquare) && s2 >= Lane(0.0f);
-  if constexpr (WithFootprint)
-    served = served && square >= Lane(detail::kCloseSquare) * points.footprint * points.footprint;
+  if constexpr (WithFootprint) served = served && square >= Lane(detail::kCloseSquare) * points.footprintSquare;
   return served;
 }
 
-/// What a light is at points, c and band0 as if it were small. `Boundless`: it has neither window nor cone. `slope`: a
-/// SlopeLanes*, or nullptr where nobody asks for it.
-template <int B, detail::PreparedKind Kind, bool Boundless, bool WithFootprint, class Slope>
+/// What a light is at points, c and band0 as if it were small. `slope`: a SlopeLanes*, or nullptr where nobody asks for
+/// it.
+template <detail::BlockKind Kind, bool WithFootprint, class Slope>
 HWY_INLINE Sight see(const detail::PreparedLight& light, const PointLanes& points, const ApartLanes& apart,
                      SeenLanes& seen, Slope slope) {
   constexpr bool kWithSlope = !std::is_same_v<Slope, std::nullptr_t>;
-  constexpr bool kSphere = Kind == detail::PreparedKind::sphere;
   constexpr bool kIsTiny = kTiny<Kind, WithFootprint>;
   bool dark = false;
-  const Lane quick = apart.inverse;
-  Lane wx = apart.x * quick, wy = apart.y * quick, wz = apart.z * quick;
-  // By how much w is too short: what the square's and the root's rounding left, each band taking it once more than the
-  // one below. It goes into e, which has it twice, and beyond the third band out of w.
-  const Lane lack = negMulAdd(wx, wx, negMulAdd(wy, wy, negMulAdd(wz, wz, Lane(1.0f))));
-  const Lane inverse = mulAdd(quick, lack, quick);
-  if constexpr (B > 3) {
-    const Lane unit = mulAdd(quick * Lane(0.5f), lack, quick);
-    wx = apart.x * unit;
-    wy = apart.y * unit;
-    wz = apart.z * unit;
-  }
+  const Lane inverse = apart.inverse;
+  const Lane wx = apart.x * inverse, wy = apart.y * inverse, wz = apart.z * inverse;
   if constexpr (kWithSlope) {
-    slope->inverse = mulAdd(quick * Lane(0.5f), lack, quick);
+    slope->inverse = inverse;
     slope->radial = slope->axial = Lane(0.0f);
   }
-  Lane e, s2;
-  if constexpr (kSphere) {
-    const Lane s = Lane(light.radius) * inverse;
-    s2 = e = s * s;
-  } else {
-    const Lane inverseSquare = inverse * inverse;
-    e = inverseSquare;
-    s2 = inverseSquare * Lane(light.radiusSquare);
-    if (!Boundless && light.inverseRangeSquare > 0) {
-      const RangeLanes range(apart.square, light.inverseRangeSquare);
-      if constexpr (kWithSlope) slope->radial = range.slope(e) * inverse;
-      e = range.window(e);
-      dark = none(range.within);
-    }
+  Lane e = inverse * inverse, widest = Lane(light.radiusSquare);
+  if constexpr (WithFootprint) widest = max(widest, points.footprintSquare);
+  const Lane s2 = widest * e;
+  if (Kind == detail::BlockKind::windowedPoint || (Kind == detail::BlockKind::spot && light.inverseRangeSquare > 0)) {
+    const RangeLanes range(apart.square, light.inverseRangeSquare);
+    if constexpr (kWithSlope) slope->radial = range.slope(e) * inverse;
+    e = range.window(e);
+    dark = none(range.within);
   }
-  if constexpr (Kind == detail::PreparedKind::spot) {
+  if constexpr (Kind == detail::BlockKind::spot) {
     const Lane z = mulAdd(Lane(light.axis.z), wz, Lane(light.coneOffset));
     const Lane t = mulAdd(Lane(light.axis.x), wx, mulAdd(Lane(light.axis.y), wy, z));
     if (!all(t >= Lane(1.0f))) {
@@ -145,10 +131,6 @@ HWY_INLINE Sight see(const detail::PreparedLight& light, const PointLanes& point
       dark = dark || all(e <= Lane(0.0f));
     }
   }
-  if constexpr (WithFootprint) {
-    const Lane wide = max(Lane(light.radius), points.footprint) * inverse;
-    s2 = wide * wide;
-  }
   seen.wx = wx;
   seen.wy = wy;
   seen.wz = wz;
@@ -156,7 +138,7 @@ HWY_INLINE Sight see(const detail::PreparedLight& light, const PointLanes& point
   seeSmall<kIsTiny>(e, s2, seen);
   const bool easy = !light.extreme && all(isSmall<kIsTiny>(s2));
   // A cone is another one inside a light.
-  if (Kind == detail::PreparedKind::spot && dark && !easy)
+  if (Kind == detail::BlockKind::spot && dark && !easy)
     dark = all(isServed<WithFootprint>(light, points, apart.square, s2));
   return {easy, s2, dark};
 }

@@ -32,7 +32,8 @@ struct Tile {
   }
   PointLanes points(int v) const {
     const std::size_t at = static_cast<std::size_t>(v) * Lane::kCount;
-    return {Lane::load(x + at), Lane::load(y + at), Lane::load(z + at), Lane::load(footprint + at)};
+    const Lane patch = Lane::load(footprint + at);
+    return {Lane::load(x + at), Lane::load(y + at), Lane::load(z + at), patch, patch * patch};
   }
   Vec3Rows rows() const { return {{x, padded()}, {y, padded()}, {z, padded()}}; }
   /// Where the shares of a vector begin in a row.
@@ -48,16 +49,15 @@ struct Tile {
   }
 };
 
-/// `Rows` numbers a point, those of a vector `stride` vectors before those of the next.
-template <int Rows>
-HWY_NOINLINE void storeRows(const Lane* sums, std::size_t stride, std::size_t count, float* out,
-                            std::size_t outStride) {
+/// `Rows` rows of `count` numbers, `of(row, v)` those of vector v.
+template <std::size_t Rows, class Of>
+HWY_INLINE void storeRows(std::size_t count, float* out, std::size_t stride, const Of& of) {
   const std::size_t whole = count / Lane::kCount, rest = count % Lane::kCount;
-  for (int row = 0; row < Rows; ++row, out += outStride) {
-    for (std::size_t v = 0; v < whole; ++v) sums[v * stride + row].store(out + v * Lane::kCount);
+  for (std::size_t row = 0; row < Rows; ++row, out += stride) {
+    for (std::size_t v = 0; v < whole; ++v) of(row, v).store(out + v * Lane::kCount);
     if (rest == 0) continue;
     float last[Lane::kCount];
-    sums[whole * stride + row].store(last);
+    of(row, whole).store(last);
     std::copy_n(last, rest, out + whole * Lane::kCount);
   }
 }

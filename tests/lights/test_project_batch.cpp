@@ -21,12 +21,12 @@ using test::Placement;
 using test::Random;
 
 // Relative to the norm of the vector of 5 bands, without window and cone. Vectors to the light are rounded to float,
-// which band l has l times; c is found in double near contact. Worst measured 8.1e-7 in 10^6 cases.
+// which band l has l times; c is found in double near contact. Worst measured 8.3e-7 in 10^6 cases.
 constexpr double kTolerance = 1e-6;
-// The same of 3 bands: worst measured 5.3e-7.
-constexpr double kTolerance3 = 6e-7;
+// The same of 3 bands: worst measured 6.8e-7 in 10^7 cases, 6.0e-7 with AVX-512.
+constexpr double kTolerance3 = 7e-7;
 // Of a spot's cone, over the width of its cosine.
-constexpr double kConeTolerance = 2e-7;
+constexpr double kConeTolerance = 3e-7;
 
 struct Case {
   LightSet light;

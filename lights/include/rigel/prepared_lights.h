@@ -20,12 +20,12 @@ namespace detail {
 
 enum class PreparedKind : std::uint8_t { none, directional, point, spot, sphere, disk };
 
-/// One line of the cache. SH are 2 colour e times functions of order 1, with e = (radius/d)^2 for spheres and 1/d^2 for
-/// points and spots.
+/// One line of the cache. SH are 2 colour e times functions of order 1, with e = 1/d^2, or (radius/d)^2 of spheres
+/// whose area float does not hold.
 struct alignas(64) PreparedLight {
   Vec3 position;  // directional: unit vector towards the light
   float radius = 0;
-  Rgb colour;               // of spheres times pi
+  Rgb colour;               // of spheres times pi radius^2, or times pi alone
   float nearestSquare = 0;  // d^2 from which float does without care: no contact, no overflow
   Vec3 axis;                // spots: unit, over the cone's width, and backwards; disks: as in the light's struct
   float coneOffset = 0;     // the cone's smoothstep is that of axis . w + coneOffset
@@ -33,7 +33,8 @@ struct alignas(64) PreparedLight {
   float inverseRangeSquare = 0;            // 0: no window
   PreparedKind kind = PreparedKind::none;  // none: contributes nothing
   bool twoSided = false;
-  bool extreme = false;  // float does not do for all points from which it is seen under a small angle
+  bool extreme = false;   // float does not do for all points from which it is seen under a small angle
+  bool arealess = false;  // a sphere whose colour is without its area
 };
 
 }  // namespace detail
