@@ -280,10 +280,12 @@ void Crowd<B>::State::weighNear(Task& task, const Block& block, Population& popu
   crowd::nthLargest(errors, ranks.count, n, options.nearSlots + 1, task.floors);
   for (int c = 0; c < n; ++c) task.floors[c] = std::max(task.floors[c], options.tolerance);
   crowd::findAbove(errors, ranks.count, n, task.floors, options.nearSlots, task.hits);
+  crowd::NearView view;
+  view.ids = lights.ids();
+  view.fresh = lights.fresh();
   for (int c = 0; c < n; ++c) {
     const std::size_t index = schedule.character(block.begin + static_cast<std::uint32_t>(c));
     const Character& character = population.characters[index];
-    crowd::NearView view;
     view.errors = errors + c;
     view.above = {task.hits.light[c], static_cast<std::size_t>(task.hits.count[c])};
     view.floor = task.floors[c];
@@ -293,8 +295,6 @@ void Crowd<B>::State::weighNear(Task& task, const Block& block, Population& popu
       view.lights = &lights.lights();
       view.groups = task.groups[c];
     }
-    view.ids = lights.ids();
-    view.fresh = lights.fresh();
     view.step = options.weightRate > 0 ? std::min(options.weightRate * character.seconds, 1.0f) : 1;
     view.cut = !character.lit;
     view.atOnce = character.span == 1;
@@ -409,13 +409,13 @@ void Crowd<B>::State::pack(Population& population, std::size_t index, const floa
                            const float* place) noexcept {
   Character& character = population.characters[index];
   const std::size_t floats = population.floats(), offset = character.offset;
-  GpuRig rig = population.data().description;
+  // In place: a copy would be read in larger pieces than it was written, which a core waits for.
+  GpuRig& rig = output.rigs[static_cast<std::size_t>(character.result.rig)];
+  rig = population.data().description;
   rig.offset = static_cast<int>(offset);
-  rig.highOffset = rig.offset + static_cast<int>(floats / 4);
-  GpuRig& out = output.rigs[static_cast<std::size_t>(character.result.rig)];
+  rig.highOffset = static_cast<int>(offset + floats / 4);
   if (!character.usable) {
     rig.vectors = 0;
-    out = rig;
     return;
   }
   rig.centre = {place[0], place[1], place[2]};
@@ -427,10 +427,10 @@ void Crowd<B>::State::pack(Population& population, std::size_t index, const floa
     if (to != coefficients) std::copy_n(coefficients, floats, to);
   }
   if (!output.halves.empty()) {
-    rig.scale = halfScale(static_cast<double>(crowd::largestOf(coefficients, floats)));
-    crowd::storeHalves(coefficients, 1 / rig.scale, floats, &output.halves[offset]);
+    const float scale = halfScale(static_cast<double>(crowd::largestOf(coefficients, floats)));
+    rig.scale = scale;
+    crowd::storeHalves(coefficients, 1 / scale, floats, &output.halves[offset]);
   }
-  out = rig;
   character.result.nearCount = packNear(character, population.nearOf(index));
 }
 
@@ -442,9 +442,10 @@ int Crowd<B>::State::packNear(const Character& character, std::span<const NearSl
     const float weight = slot.from + (slot.to - slot.from) * character.shown();
     const int light = crowd::findLight(lights.ids(), slot.id, slot.light);
     if (light < 0 || !(weight > 0)) continue;
-    GpuNearLight near = lights.near(light);
-    near.colour = {near.colour.x * weight, near.colour.y * weight, near.colour.z * weight};
-    output.near[static_cast<std::size_t>(character.result.nearOffset + count++)] = near;
+    const GpuNearLight& near = lights.near(light);
+    GpuNearLight& out = output.near[static_cast<std::size_t>(character.result.nearOffset + count++)];
+    out = near;
+    out.colour = {near.colour.x * weight, near.colour.y * weight, near.colour.z * weight};
   }
   return count;
 }
