@@ -19,9 +19,9 @@ constexpr std::size_t kPoints = 48;
 /// into the sums. The same numbers for all kinds, so that fractions compare times.
 constexpr double kValueFlops = 94, kGradientFlops = 351;
 
-enum class Lights { sphere, largeSphere, point, windowedPoint, spot, directional };
+enum class Lights { sphere, largeSphere, point, windowedPoint, spot, strewnSpot, directional };
 
-/// Two to seventeen metres off the body. Spots shine at it or half past it.
+/// Two to seventeen metres off the body. Spots shine at it or half past it; strewn ones at any place among them.
 LightSet lightsAround(Lights kind, int count) {
   std::mt19937 random(5);
   std::uniform_real_distribution<float> unit(-1, 1);
@@ -46,6 +46,9 @@ LightSet lightsAround(Lights kind, int count) {
         break;
       case Lights::spot:
         lights.add(SpotLight{p, Vec3{2 * size, size, -size} - p, colour, 0.3f, 0.6f});
+        break;
+      case Lights::strewnSpot:
+        lights.add(SpotLight{p, Vec3{10 * unit(random), 10 * unit(random), 10 * unit(random)} - p, colour, 0.3f, 0.6f});
         break;
       case Lights::directional:
         lights.add(DirectionalLight{-p, colour});
@@ -168,11 +171,10 @@ void addProjectionCases(std::vector<BenchCase>& cases) {
     addBatch(cases, spheres, "project.sphere" + suffix, "project.textbook" + suffix);
     addGradient(cases, spheres, "project.sphere_gradient" + suffix, "project.textbook_gradient" + suffix);
   }
-  const std::pair<const char*, Lights> kinds[] = {{"large_sphere", Lights::largeSphere},
-                                                  {"point", Lights::point},
-                                                  {"windowed_point", Lights::windowedPoint},
-                                                  {"spot", Lights::spot},
-                                                  {"directional", Lights::directional}};
+  const std::pair<const char*, Lights> kinds[] = {
+      {"large_sphere", Lights::largeSphere},     {"point", Lights::point},
+      {"windowed_point", Lights::windowedPoint}, {"spot", Lights::spot},
+      {"strewn_spot", Lights::strewnSpot},       {"directional", Lights::directional}};
   for (const auto& [name, kind] : kinds) {
     const auto batch = std::make_shared<Batch>(kind, 64);
     addBatch(cases, batch, "project." + std::string(name) + ".n64", "project.sphere.n64");
