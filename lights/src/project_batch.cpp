@@ -141,14 +141,16 @@ alignas(64) constexpr std::array<float, hn::MaxLanes(Lane::Tag())> kWhole = [] {
   whole.fill(1);
   return whole;
 }();
+/// Volatile: who knows that they are ones branches on whether a light has shares, and is wrong too often.
+const float* const volatile kWholeRow = kWhole.data();
 
-/// What points see of a light, times their shares in it; `at`: where these begin in a row.
+/// What points see of a light, times their shares in it; `at`: where these begin in a row; `whole`: kWholeRow.
 template <bool Shared, int B>
-HWY_INLINE SeenLanes sharedSeen(const Rows<B>& rows, int k, std::size_t at) {
+HWY_INLINE SeenLanes sharedSeen(const Rows<B>& rows, int k, std::size_t at, const float* whole) {
   SeenLanes seen = rows.seen[k];
   if constexpr (Shared) {
     const float* row = rows.shares[k];
-    const Lane share = Lane::load(row == nullptr ? kWhole.data() : row + at);
+    const Lane share = Lane::load(row == nullptr ? whole : row + at);
     seen.e *= share;
     seen.band0 *= share;
   }
@@ -161,9 +163,10 @@ HWY_NOINLINE void addWeighed(const Rows<B>& rows, std::size_t at, Lane* sums) {
   hn::Vec<Lane::Tag> held[3 * B * B];
   HWY_UNROLL(27)
   for (int i = 0; i < 3 * B * B; ++i) held[i] = sums[i].v;
+  const float* const whole = kWholeRow;
   for (int k = 0; k < rows.count; ++k) {
     const RawRgb& colour = rows.colour[k];
-    weighBasis<B>(sharedSeen<Shared>(rows, k, at), [&](int i, Lane number) HWY_ATTR {
+    weighBasis<B>(sharedSeen<Shared>(rows, k, at, whole), [&](int i, Lane number) HWY_ATTR {
       held[3 * i] = hn::MulAdd(number.v, Lane(colour.r).v, held[3 * i]);
       held[3 * i + 1] = hn::MulAdd(number.v, Lane(colour.g).v, held[3 * i + 1]);
       held[3 * i + 2] = hn::MulAdd(number.v, Lane(colour.b).v, held[3 * i + 2]);
@@ -175,8 +178,10 @@ HWY_NOINLINE void addWeighed(const Rows<B>& rows, std::size_t at, Lane* sums) {
 
 template <int B, bool Shared>
 HWY_NOINLINE void weighBases(Rows<B>& rows, std::size_t at) {
+  const float* const whole = kWholeRow;
   for (int k = 0; k < rows.count; ++k)
-    weighBasis<B>(sharedSeen<Shared>(rows, k, at), [&](int i, Lane number) HWY_ATTR { rows.basis[k][i] = number; });
+    weighBasis<B>(sharedSeen<Shared>(rows, k, at, whole),
+                  [&](int i, Lane number) HWY_ATTR { rows.basis[k][i] = number; });
 }
 
 template <int B>
