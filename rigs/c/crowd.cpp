@@ -151,7 +151,7 @@ rigel_result rigel_get_crowd_info(const rigel_crowd* crowd, rigel_crowd_info* in
       own.characters = static_cast<std::size_t>(c.size());
       own.rigs = bound.rigs;
       own.coefficients = bound.coefficients;
-      own.near_lights = bound.near;
+      own.near_lights = bound.nearLights;
       own.bytes = c.bytes();
     });
     Call::write(own, info);

@@ -52,7 +52,7 @@ rigel_result checkBuffer(const Call& call, const T* buffer, std::size_t capacity
 
 rigel_result checkBuffers(const Call& call, const rigel_frame_desc& d, const CrowdOutputBound& bound) {
   if (bound.rigs > 0 && d.rigs == nullptr) return call.needs({{d.rigs, "rigs"}});
-  if (bound.near > 0 && d.near_lights == nullptr) return call.needs({{d.near_lights, "near_lights"}});
+  if (bound.nearLights > 0 && d.near_lights == nullptr) return call.needs({{d.near_lights, "near_lights"}});
   if (bound.coefficients > 0 && d.coefficients == nullptr && d.halves == nullptr)
     return call.fail(RIGEL_ERROR_NULL, "coefficients and halves are both NULL");
   if (const auto e = checkBuffer(call, d.rigs, d.rig_capacity, bound.rigs, "rigs"); e != RIGEL_OK) return e;
@@ -61,7 +61,7 @@ rigel_result checkBuffers(const Call& call, const rigel_frame_desc& d, const Cro
     return e;
   if (const auto e = checkBuffer(call, d.halves, d.half_capacity, bound.coefficients, "halves"); e != RIGEL_OK)
     return e;
-  return checkBuffer(call, d.near_lights, d.near_light_capacity, bound.near, "near_lights");
+  return checkBuffer(call, d.near_lights, d.near_light_capacity, bound.nearLights, "near_lights");
 }
 
 rigel_result checkTree(const Call& call, const rigel_frame_desc& desc) {

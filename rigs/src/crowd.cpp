@@ -71,7 +71,7 @@ CrowdOutputBound Crowd<B>::outputBound() const noexcept {
     const std::size_t alive = p.characters.size() - p.free.size();
     bound.rigs += alive;
     bound.coefficients += alive * p.floats() / 4;
-    bound.near += alive * p.nearSlots();
+    bound.nearLights += alive * p.nearSlots();
   }
   return bound;
 }

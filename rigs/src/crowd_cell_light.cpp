@@ -60,7 +60,7 @@ void CellLights::reserve(std::size_t uses, std::size_t rows) {
     generation->distant.reserve(4 * rows * kCells);
     generation->slots.resize(kSlots);
   }
-  selection_.near.reserve(list);
+  selection_.nearby.reserve(list);
   selection_.distant.reserve(list);
   far_.reserve(uses, rows);
   slopes_.reserve(4 * rows);
@@ -114,12 +114,12 @@ void CellLights::select(const FrameLights& lights, const Cell& cell) {
   Entry entry;
   entry.cell = cell;
   const auto isSingle = [&](const LightUse& use) { return use.light < static_cast<std::uint32_t>(lights.count()); };
-  std::ranges::sort(selection_.near, {}, &LightUse::light);
-  mergeUses(selection_.near);
+  std::ranges::sort(selection_.nearby, {}, &LightUse::light);
+  mergeUses(selection_.nearby);
   const auto count = [&](const std::vector<LightUse>& uses) { return std::ranges::count_if(uses, isSingle); };
-  entry.single = static_cast<std::size_t>(count(selection_.near));
+  entry.single = static_cast<std::size_t>(count(selection_.nearby));
   const auto singles = static_cast<int>(entry.single) + static_cast<int>(count(selection_.distant));
-  const auto all = static_cast<int>(selection_.near.size() + selection_.distant.size());
+  const auto all = static_cast<int>(selection_.nearby.size() + selection_.distant.size());
   entry.rest.lights = singles + far.lights;
   entry.rest.clusters = all - singles + far.clusters;
   entry.rest.centre = ball.centre;
@@ -132,7 +132,7 @@ void CellLights::select(const FrameLights& lights, const Cell& cell) {
     addSlopes(projectFar<B>(far.parts, ball.centre), slopes_.data());
     addSlopes(projectFar<B>(lights.prepared(), selection_.distant, ball.centre), slopes_.data());
   }
-  add(entry, selection_.near, slopes_.data());
+  add(entry, selection_.nearby, slopes_.data());
 }
 
 void CellLights::add(const Entry& entry, std::span<const LightUse> near, const float* distant) {
@@ -160,7 +160,7 @@ std::size_t CellLights::bytes() const noexcept {
     return g.entries.capacity() * sizeof(Entry) + g.uses.capacity() * sizeof(LightUse) + g.distant.bytes() +
            g.slots.capacity() * sizeof(std::uint16_t);
   };
-  return of(young_) + of(old_) + (selection_.near.capacity() + selection_.distant.capacity()) * sizeof(LightUse) +
+  return of(young_) + of(old_) + (selection_.nearby.capacity() + selection_.distant.capacity()) * sizeof(LightUse) +
          slopes_.bytes() + far_.bytes();
 }
 

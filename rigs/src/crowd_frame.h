@@ -194,7 +194,7 @@ void Crowd<B>::State::fetchAhead(Task& task, const Block& block, const Block* af
       task.ahead.add(&output.coefficients[character.offset], population.floats() * sizeof(float));
     task.ahead.add(&output.rigs[static_cast<std::size_t>(character.result.rig)], sizeof(GpuRig));
     if (population.nearSlots() > 0)
-      task.ahead.add(&output.near[static_cast<std::size_t>(character.result.nearOffset)],
+      task.ahead.add(&output.nearLights[static_cast<std::size_t>(character.result.nearOffset)],
                      population.nearSlots() * sizeof(GpuNearLight));
   }
   if (after == nullptr || !after->update) return;
@@ -443,7 +443,7 @@ int Crowd<B>::State::packNear(const Character& character, std::span<const NearSl
     const int light = crowd::findLight(lights.ids(), slot.id, slot.light);
     if (light < 0 || !(weight > 0)) continue;
     const GpuNearLight& near = lights.near(light);
-    GpuNearLight& out = output.near[static_cast<std::size_t>(character.result.nearOffset + count++)];
+    GpuNearLight& out = output.nearLights[static_cast<std::size_t>(character.result.nearOffset + count++)];
     out = near;
     out.colour = {near.colour.x * weight, near.colour.y * weight, near.colour.z * weight};
   }

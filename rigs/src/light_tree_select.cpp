@@ -67,7 +67,7 @@ class Query : BallQuery {
       ++visited_;
       if (!light.shines) continue;
       const bool distant = light.directional && slopes_;
-      (distant ? out_.distant : out_.near).push_back({light.light, 1});
+      (distant ? out_.distant : out_.nearby).push_back({light.light, 1});
       mean_ += static_cast<double>(field_.mean) * light.mean;
     }
   }
@@ -210,7 +210,7 @@ class Query : BallQuery {
 
   void push(std::uint32_t light, float share, float near) {
     share = std::min(share, 1.0f);
-    if (near > 0) out_.near.push_back({light, share * near});
+    if (near > 0) out_.nearby.push_back({light, share * near});
     if (near < 1) out_.distant.push_back({light, share * (1 - near)});
   }
 
@@ -236,7 +236,7 @@ class Query : BallQuery {
 void LightTree::select(const LightQuery& query, LightSelection& out) const { select(query, nullptr, out); }
 
 void LightTree::select(const LightQuery& query, const LightCut* from, LightSelection& out) const {
-  out.near.clear();
+  out.nearby.clear();
   out.distant.clear();
   out.bound = out.worst = out.reference = out.mean = 0;
   out.visited = 0;

@@ -137,7 +137,7 @@ Rgb ObjectLighting<B>::rigIrradiance(Vec3 p, Vec3 n, const MaterialWrap<B>& wrap
 template <int B>
 auto ObjectLighting<B>::shade(Vec3 p, Vec3 n, const MaterialWrap<B>& wrap) const noexcept -> Parts {
   Parts parts{rigIrradiance(p, n, wrap), {}};
-  for (const NearLight& light : state_->near) parts.near += nearIrradiance(light, p, n, wrap.near);
+  for (const NearLight& light : state_->near) parts.nearLights += nearIrradiance(light, p, n, wrap.nearLights);
   return parts;
 }
 
@@ -160,7 +160,7 @@ void ObjectLighting<B>::shade(const Vec3Rows& points, const Vec3Rows& normals, c
     const std::size_t count = std::min(kBlock, points.size() - at);
     const Vec3Rows p = points.subrows(at, count), n = normals.subrows(at, count);
     rigIrradiance(p, n, wrap, std::span(rig).first(3 * count));
-    nearIrradianceBatch(state_->near, p, n, wrap.near, std::span(near).first(3 * count));
+    nearIrradianceBatch(state_->near, p, n, wrap.nearLights, std::span(near).first(3 * count));
     for (std::size_t k = 0; k < count; ++k)
       out[at + k] = {{rig[k], rig[count + k], rig[2 * count + k]}, {near[k], near[count + k], near[2 * count + k]}};
   }

@@ -190,9 +190,9 @@ struct ObjectLighting<B>::State {
     for (std::size_t i = 0; i < verdicts.size(); ++i) {
       const float weight = weights.empty() || culled[i] != 0 ? 0 : weights[i];
       const LightRole role = culled[i] != 0 ? LightRole::culled
-                             : weight <= 0  ? LightRole::far
+                             : weight <= 0  ? LightRole::inRig
                              : weight < 1   ? LightRole::blended
-                                            : LightRole::near;
+                                            : LightRole::exact;
       verdicts[i] = {role, weight, errors[i], frameMean > 0 ? means[i] / frameMean : 0};
     }
   }

@@ -14,20 +14,20 @@ Light scaled(Light light, float s) noexcept {
 
 }  // namespace
 
-void splitLights(const LightSet& lights, std::span<const float> weights, LightSet& far, std::vector<NearLight>& near,
+void splitLights(const LightSet& lights, std::span<const float> weights, LightSet& inRig, std::vector<NearLight>& exact,
                  std::span<const std::uint8_t> culled) {
   assert(weights.size() == static_cast<std::size_t>(lights.size()));
   assert(culled.empty() || culled.size() == weights.size());
-  far.clear();
-  near.clear();
+  inRig.clear();
+  exact.clear();
   for (int i = 0; i < lights.size(); ++i) {
     if (!culled.empty() && culled[i]) continue;
     const float w = weights[i] > 0 ? std::min(weights[i], 1.0f) : 0.0f;
     lights.visit(i, [&](const auto& light) {
       if (colourOf(light) == Rgb{}) return;
-      if (w > 0) near.push_back(nearLight(light, w));
-      if (w == 0) far.add(light, lights.groups(i));
-      if (w > 0 && w < 1) far.add(scaled(light, 1 - w), lights.groups(i));
+      if (w > 0) exact.push_back(nearLight(light, w));
+      if (w == 0) inRig.add(light, lights.groups(i));
+      if (w > 0 && w < 1) inRig.add(scaled(light, 1 - w), lights.groups(i));
     });
   }
 }

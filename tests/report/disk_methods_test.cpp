@@ -110,8 +110,8 @@ TEST(DiskMethods, EachDiskSaysWhatItUsedAndWhy) {
   using enum LightRole;
   RigReport rig;
   rig.spec = "poly:6";
-  rig.lights = {lightUse("bulb", "sphere", {near, near}), lightUse("a", "disk", {near, near}),
-                lightUse("b", "disk", {far, blended}), lightUse("c", "disk", {far, culled}),
+  rig.lights = {lightUse("bulb", "sphere", {exact, exact}), lightUse("a", "disk", {exact, exact}),
+                lightUse("b", "disk", {inRig, blended}), lightUse("c", "disk", {inRig, culled}),
                 lightUse("d", "disk", {culled, culled})};
   ObjectReport object;
   object.name = "bust";

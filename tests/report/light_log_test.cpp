@@ -9,9 +9,9 @@ namespace {
 using namespace rigel::tools;
 using Kind = LightingTarget::Kind;
 
-LightVerdict far(float bound, float share = 0.1f) { return {LightRole::far, 0, bound, share}; }
+LightVerdict far(float bound, float share = 0.1f) { return {LightRole::inRig, 0, bound, share}; }
 LightVerdict blended(float weight) { return {LightRole::blended, weight, 3, 0.1f}; }
-LightVerdict near() { return {LightRole::near, 1, 6, 0.1f}; }
+LightVerdict near() { return {LightRole::exact, 1, 6, 0.1f}; }
 LightVerdict culled() { return {LightRole::culled, 0, 0, 0}; }
 
 /// One light through the frames 10, 11, ...; bounds are over a mean of 2 W/m2.
@@ -39,9 +39,9 @@ TEST(LightLog, CountsFramesAndPoolsBoundAndShare) {
   EXPECT_EQ(use.name, "lamp");
   EXPECT_EQ(use.type, "sphere");
   EXPECT_EQ(use.framesOf(LightRole::culled), 1);
-  EXPECT_EQ(use.framesOf(LightRole::far), 1);
+  EXPECT_EQ(use.framesOf(LightRole::inRig), 1);
   EXPECT_EQ(use.framesOf(LightRole::blended), 1);
-  EXPECT_EQ(use.framesOf(LightRole::near), 2);
+  EXPECT_EQ(use.framesOf(LightRole::exact), 2);
   EXPECT_DOUBLE_EQ(use.bound, 3);
   EXPECT_NEAR(use.share, (0 + 0.2 + 3 * 0.1) / 5, 1e-7);
   EXPECT_THAT(use.weights, testing::ElementsAre(0, 0, 0.25f, 1, 1));

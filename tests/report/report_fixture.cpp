@@ -138,10 +138,10 @@ std::vector<tools::LightReport> lightUses(const std::vector<tools::LightRow>& ro
     for (int f = 0; f < frames; ++f) {
       const double time = f / 30.0;
       const float w = passes && choosing ? lampWeight(time, 0.4 + 0.6 * static_cast<double>(i)) : 0;
-      use.roles.push_back(w == 1                      ? LightRole::near
+      use.roles.push_back(w == 1                      ? LightRole::exact
                           : w > 0                     ? LightRole::blended
                           : i % 5 == 4 && f % 20 > 12 ? LightRole::culled
-                                                      : LightRole::far);
+                                                      : LightRole::inRig);
       use.weights.push_back(w);
       const double size = passes
                               ? 0.02 + 0.3 * static_cast<double>(lampWeight(time, 0.4 + 0.6 * static_cast<double>(i)))

@@ -111,7 +111,7 @@ struct Stage {
     rigs.assign(bound.rigs, {});
     coefficients.assign(bound.coefficients, {});
     halves.assign(bound.coefficients, {});
-    near.assign(bound.near, {});
+    near.assign(bound.nearLights, {});
   }
   CrowdStats frame(float seconds) {
     prepared.set(lights);

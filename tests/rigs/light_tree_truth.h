@@ -45,7 +45,7 @@ void visitUse(const LightSet& lights, const LightTree& tree, const LightUse& use
 inline DoubleSh selectedSh(const LightSet& lights, const LightTree& tree, const LightQuery& query,
                            const LightSelection& selection, Vec3 p) {
   DoubleSh sum{};
-  for (const LightUse& use : selection.near)
+  for (const LightUse& use : selection.nearby)
     visitUse(lights, tree, use, [&](const auto& light) { addTo(sum, project<3>(light, p), use.share); });
   const Vec3 off = p - query.centre;
   for (const LightUse& use : selection.distant) {

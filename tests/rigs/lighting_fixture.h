@@ -82,7 +82,7 @@ class LitBody {
         });
       }
       for (int c = 0; c < 3; ++c) {
-        const auto rig = static_cast<double>(parts.rig[c]), near = static_cast<double>(parts.near[c]);
+        const auto rig = static_cast<double>(parts.rig[c]), near = static_cast<double>(parts.nearLights[c]);
         out.finite = out.finite && std::isfinite(rig) && std::isfinite(near);
         out.spatial += std::pow(rig - sh[c], 2);
         out.total += std::pow(std::max(0.0, rig) + near - exact[c], 2);

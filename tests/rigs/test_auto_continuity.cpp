@@ -73,7 +73,7 @@ Result drive(LitBody<3>& lit, const Body& body, const Motion& motion, double rat
     now.clear();
     for (std::size_t p = 0; p < body.points.size(); ++p) {
       const auto parts = lit.shade(p);
-      now.push_back(static_cast<double>(parts.rig.g + parts.near.g) -
+      now.push_back(static_cast<double>(parts.rig.g + parts.nearLights.g) -
                     exactIrradiance(motion.lights, lit.world(p), body.normals[p]).g);
       squares += now.back() * now.back();
       ++count;

@@ -82,7 +82,7 @@ Jump drive(LitBody<3>& lit, const Body& body, const LightSet& lights, const Pass
   return drive(lit, body, lights, passage, rate, [&] {
     return [&](std::size_t p) {
       const auto parts = lit.shade(p);
-      return static_cast<double>(parts.rig.g + parts.near.g);
+      return static_cast<double>(parts.rig.g + parts.nearLights.g);
     };
   });
 }

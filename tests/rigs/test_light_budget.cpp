@@ -169,7 +169,7 @@ TEST(LightBudget, NobodyAndNoLight) {
   EXPECT_TRUE(crowd.light(10).met);
   for (const auto& member : crowd.members) {
     const auto parts = member.shade({0, 0, 0}, {0, 1, 0}, MaterialWrap<3>());
-    EXPECT_EQ(parts.rig.r + parts.near.r, 0);
+    EXPECT_EQ(parts.rig.r + parts.nearLights.r, 0);
   }
 }
 
@@ -192,7 +192,7 @@ TEST(LightBudget, NothingPopsAsTimeMovesBetweenObjects) {
           const Vec3 offset{2.0f * static_cast<float>(f) / static_cast<float>(framesPerSecond), 0, 0};
           const Vec3 normal = local * (1 / length(local));
           const auto parts = crowd.members[i].shade(crowd.places[i] + offset + local, normal, lambert);
-          now.push_back(parts.rig.r + parts.near.r);
+          now.push_back(parts.rig.r + parts.nearLights.r);
         }
       for (std::size_t i = 0; i < last.size(); ++i) largest = std::max(largest, std::abs(now[i] - last[i]));
       last = now;

@@ -55,9 +55,9 @@ void expectBoundsHold(Kinds kinds, bool hard, int clouds, Tally& tally) {
       if (error.mean > 0) tally.mean += selection.mean / error.mean;
       ++tally.cases;
       tally.lights += lights.size();
-      tally.uses += static_cast<long>(selection.near.size() + selection.distant.size());
+      tally.uses += static_cast<long>(selection.nearby.size() + selection.distant.size());
       tally.distant += static_cast<long>(selection.distant.size());
-      for (const auto* list : {&selection.near, &selection.distant})
+      for (const auto* list : {&selection.nearby, &selection.distant})
         for (const LightUse& use : *list) tally.clusters += use.light >= static_cast<std::uint32_t>(lights.size());
     }
   }

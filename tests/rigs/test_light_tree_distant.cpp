@@ -153,7 +153,7 @@ TEST(LightTreeDistant, EveryLightCountsOnce) {
           balls.small.everywhere = true;
           balls.ask(tree);
           double power = 0, all = 0;
-          for (const auto* list : {&balls.whole, &balls.parts, &balls.selection.near, &balls.selection.distant})
+          for (const auto* list : {&balls.whole, &balls.parts, &balls.selection.nearby, &balls.selection.distant})
             for (const LightUse& use : *list) {
               ASSERT_TRUE(use.share >= 0 && use.share <= 1);
               visitUse(lights, tree, use, [&](const auto& light) {
@@ -177,7 +177,7 @@ TEST(LightTreeDistant, DoesNotLookAtLightsInTheBall) {
   balls.small = {{}, 8.4f, 0.2f};
   balls.ask(tree);
   EXPECT_LT(balls.whole.size() + balls.parts.size() + balls.rest.open.size(), 1000u);
-  EXPECT_GT(balls.selection.near.size() + balls.selection.distant.size(), 10u);
+  EXPECT_GT(balls.selection.nearby.size() + balls.selection.distant.size(), 10u);
 }
 
 // What each small ball has to do does not grow with the city.

@@ -16,7 +16,7 @@ bool same(const LightSelection& a, const LightSelection& b) {
   const auto equal = [](const std::vector<LightUse>& x, const std::vector<LightUse>& y) {
     return x.size() == y.size() && (x.empty() || std::memcmp(x.data(), y.data(), x.size() * sizeof(LightUse)) == 0);
   };
-  return equal(a.near, b.near) && equal(a.distant, b.distant) && a.bound == b.bound && a.mean == b.mean &&
+  return equal(a.nearby, b.nearby) && equal(a.distant, b.distant) && a.bound == b.bound && a.mean == b.mean &&
          a.visited == b.visited;
 }
 
@@ -40,9 +40,9 @@ LightSet lampPlane(int count, float spacing, unsigned seed, float shift = 0) {
 TEST(LightTree, NoLightsAreNoTrouble) {
   LightTree tree;
   LightSelection selection;
-  selection.near.resize(3);
+  selection.nearby.resize(3);
   tree.select({}, selection);
-  EXPECT_TRUE(selection.near.empty());
+  EXPECT_TRUE(selection.nearby.empty());
   LightSet lights;
   tree.update(lights);
   tree.select({{1, 2, 3}, 1}, selection);
@@ -50,7 +50,7 @@ TEST(LightTree, NoLightsAreNoTrouble) {
   lights.add(PointLight{{0, 2, 0}, {1, 1, 1}});
   tree.update(lights);
   tree.select({{1, 2, 3}, 1}, selection);
-  ASSERT_EQ(selection.near.size() + selection.distant.size(), 1u);
+  ASSERT_EQ(selection.nearby.size() + selection.distant.size(), 1u);
 }
 
 // Infinite, NaN and absurd arguments: no endless loop, no share outside [0, 1], every light once.
@@ -66,7 +66,7 @@ TEST(LightTree, AbsurdQueriesGetTheLightsOneByOne) {
         LightQuery{{}, 1, 0.1f, nan}, LightQuery{{}, 1, 0.1f, inf}, LightQuery{{}, 1, 0.1f, -1}}) {
     tree.select(query, selection);
     double whole = 0;
-    for (const auto* list : {&selection.near, &selection.distant}) {
+    for (const auto* list : {&selection.nearby, &selection.distant}) {
       for (const LightUse& use : *list) {
         ASSERT_TRUE(use.share >= 0 && use.share <= 1);
         visitUse(lights, tree, use, [&](const auto& light) {
@@ -101,8 +101,8 @@ TEST(LightTree, LightsOutsideTheGroupsAreNeverVisited) {
     tree.select(query, selection);
     alone.select(query, expected);
     EXPECT_EQ(selection.visited, expected.visited);
-    EXPECT_EQ(selection.near.size(), expected.near.size());
-    for (const auto* list : {&selection.near, &selection.distant}) {
+    EXPECT_EQ(selection.nearby.size(), expected.nearby.size());
+    for (const auto* list : {&selection.nearby, &selection.distant}) {
       for (const LightUse& use : *list) {
         if (use.light >= static_cast<std::uint32_t>(lights.size())) continue;
         EXPECT_EQ(lights.groups(static_cast<int>(use.light)), 2u);
@@ -213,9 +213,9 @@ TEST(LightTree, UpdateKeepsTheTreeAsGoodAsNew) {
     for (int i = 0; i < 5; ++i) {
       const LightQuery query{{30.0f * static_cast<float>(i), 1, 0}, 1, 0.05f};
       tree.select(query, selection);
-      kept += static_cast<double>(selection.near.size() + selection.distant.size());
+      kept += static_cast<double>(selection.nearby.size() + selection.distant.size());
       fresh.select(query, selection);
-      built += static_cast<double>(selection.near.size() + selection.distant.size());
+      built += static_cast<double>(selection.nearby.size() + selection.distant.size());
     }
   }
   EXPECT_GT(builds, 1);
@@ -253,7 +253,7 @@ TEST(LightTree, LooksAtLogarithmicallyManyLights) {
     LightSelection selection;
     for (int i = 0; i < 20; ++i) {
       tree.select({{7.0f * static_cast<float>(i), 1, 3.0f * static_cast<float>(i)}, 1, 0.2f}, selection);
-      uses[k] += static_cast<double>(selection.near.size() + selection.distant.size()) / 20;
+      uses[k] += static_cast<double>(selection.nearby.size() + selection.distant.size()) / 20;
       visited[k] += selection.visited / 20.0;
     }
   }
@@ -285,7 +285,7 @@ TEST(LightTree, ErrorsAreFarBelowTheirBounds) {
       ASSERT_LE(error.rms, 1);
       bound = std::max(bound, double{selection.bound} / selection.mean);
       worst = std::max(worst, error.rms * selection.bound / selection.mean);
-      uses += static_cast<double>(selection.near.size() + selection.distant.size()) / 8;
+      uses += static_cast<double>(selection.nearby.size() + selection.distant.size()) / 8;
     }
     std::printf("target %.2f: %.0f lights and clusters, bounds up to %.3f, errors up to %.4f\n", target, uses, bound,
                 worst);

@@ -58,7 +58,8 @@ TEST(ObjectLighting, DistantLightsAreAllThere) {
           expected += w * exact + (1 - w) * rigIrradiance(one, lit.world(p), testBody().normals[p], c);
           size += static_cast<double>(one.directionalCount() > 0 ? 3.0f : 3.0f);
         }
-        worst.add(std::abs(static_cast<double>(parts.rig[c] + parts.near[c]) - expected) / size, [&] { return spec; });
+        worst.add(std::abs(static_cast<double>(parts.rig[c] + parts.nearLights[c]) - expected) / size,
+                  [&] { return spec; });
       }
     }
   }
@@ -85,7 +86,7 @@ TEST(ObjectLighting, ManyPointsAsOneAfterAnother) {
       const auto one = lit.lighting.shade(lit.world(p), body.normals[p], material);
       for (int c = 0; c < 3; ++c) {
         EXPECT_NEAR(all[p].rig[c], one.rig[c], 1e-5f * (1 + one.rig.r)) << p;
-        EXPECT_NEAR(all[p].near[c], one.near[c], 1e-5f * (1 + one.near.r)) << p;
+        EXPECT_NEAR(all[p].nearLights[c], one.nearLights[c], 1e-5f * (1 + one.nearLights.r)) << p;
       }
     }
   }
@@ -125,7 +126,7 @@ TEST(ObjectLighting, VerdictsAreConsistent) {
       for (const LightVerdict& v : verdicts) {
         sum += static_cast<double>(v.share);
         near += v.weight > 0 ? 1 : 0;
-        EXPECT_EQ(v.role == LightRole::near, v.weight == 1);
+        EXPECT_EQ(v.role == LightRole::exact, v.weight == 1);
         EXPECT_EQ(v.role == LightRole::blended, v.weight > 0 && v.weight < 1);
         if (v.role == LightRole::culled) {
           EXPECT_EQ(v.share, 0);

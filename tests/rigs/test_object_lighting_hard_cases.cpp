@@ -209,9 +209,9 @@ void check(const HardCase& hard, Choice choice, float wrap, Outcomes& outcomes) 
   for (std::size_t p = 0; p < hard.body.points.size(); p += 5) {
     const auto parts = lit.shade(p);
     for (int c = 0; c < 3; ++c) {
-      finite = finite && std::isfinite(parts.rig[c]) && std::isfinite(parts.near[c]);
+      finite = finite && std::isfinite(parts.rig[c]) && std::isfinite(parts.nearLights[c]);
       if (!hard.shines) {
-        EXPECT_EQ(parts.rig[c] + parts.near[c], 0) << what;
+        EXPECT_EQ(parts.rig[c] + parts.nearLights[c], 0) << what;
       }
     }
   }

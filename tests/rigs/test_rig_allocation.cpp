@@ -130,7 +130,7 @@ TEST(RigAllocation, TheLightTreeAllocatesNothingOnceItHasItsSize) {
     if (frame >= 20) counted += allocations - before;
   }
   EXPECT_EQ(counted, 0);
-  EXPECT_FALSE(selection.near.empty() || selection.distant.empty());
+  EXPECT_FALSE(selection.nearby.empty() || selection.distant.empty());
 }
 
 TEST(RigAllocation, ObjectLightingAllocatesNothingAfterItsFirstFrame) {

@@ -83,7 +83,7 @@ class CrowdInCity {
     const CrowdOutputBound bound = crowd_.outputBound();
     rigs_.resize(bound.rigs);
     coefficients_.resize(bound.coefficients);
-    near_.resize(bound.near);
+    near_.resize(bound.nearLights);
   }
 
   static void prepare(const LightSet& lights, const LightTree& tree, PreparedLights& prepared) {

@@ -87,7 +87,7 @@ People::People(int people, int lamps, int tasks, bool largePages)
   const CrowdOutputBound bound = crowd_.outputBound();
   rigs_.resize(bound.rigs);
   coefficients_.resize(bound.coefficients);
-  near_.resize(bound.near);
+  near_.resize(bound.nearLights);
 }
 
 void People::frameOfLights() {

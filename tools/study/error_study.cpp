@@ -238,7 +238,7 @@ class Study final : public StudyVisitor {
         }
         const double rig = static_cast<double>(parts.rig[c]);
         out.spatial += std::pow(rig - sh, 2);
-        out.total += std::pow(std::max(0.0, rig) + static_cast<double>(parts.near[c]) - exact, 2);
+        out.total += std::pow(std::max(0.0, rig) + static_cast<double>(parts.nearLights[c]) - exact, 2);
       }
     }
     out.spatial /= static_cast<double>(row);

@@ -107,7 +107,7 @@ struct CrowdInput {
 /// Where a character's results are in the frame's output.
 struct CrowdResult {
   int rig = -1;        // of CrowdOutput::rigs; -1: not visible
-  int nearOffset = 0;  // of CrowdOutput::near
+  int nearOffset = 0;  // of CrowdOutput::nearLights
   int nearCount = 0;
 };
 
@@ -136,11 +136,11 @@ struct CrowdOutput {
   std::span<GpuRig> rigs;  // one a visible character, in the order of kinds and of characters in them
   std::span<GpuVec4> coefficients;
   std::span<GpuHalf4> halves;
-  std::span<GpuNearLight> near;  // nearSlots a character, of which nearCount are lit
+  std::span<GpuNearLight> nearLights;  // nearSlots a character, of which nearCount are lit
 };
 
 struct CrowdOutputBound {
-  std::size_t rigs = 0, coefficients = 0, near = 0;
+  std::size_t rigs = 0, coefficients = 0, nearLights = 0;
 };
 
 /// The caller's threads: `run` calls task(work, i) for each i in [0, count), in any order, on any threads, and returns

@@ -41,7 +41,7 @@ struct LightQuery {
 /// What lights an object, as PreparedLights counts: clusters from LightSet::size() on. Shares are within [0, 1]; a
 /// light may be in both lists, and in a cluster besides, with shares that sum to one: so nothing jumps.
 struct LightSelection {
-  std::vector<LightUse> near;     // to be projected at every sample
+  std::vector<LightUse> nearby;   // to be projected at every sample
   std::vector<LightUse> distant;  // value and slope at the ball's centre are enough (or every sample, which is better)
   /// Bounds of the sum of all errors [W/m2] of three-band irradiance, at any point of the ball: RMS over normals and
   /// channels, at most target x reference; and largest over normals (RMS over channels).

@@ -86,11 +86,11 @@ class NearFar {
   std::vector<int> slots_;
 };
 
-/// Splits a frame's lights into what the rig is fitted to and what is evaluated at every point: `far` gets each light
-/// with its colour times 1 - w, `near` the lights of w > 0 with share w. Lights of w = 1 and black ones are left out of
-/// `far`; lights marked in `culled` (empty: none) are left out of both. Order is kept. `near` and `far` are cleared
-/// first, and allocate only while they grow.
-void splitLights(const LightSet& lights, std::span<const float> weights, LightSet& far, std::vector<NearLight>& near,
+/// Splits a frame's lights into what the rig is fitted to and what is evaluated at every point: `inRig` gets each
+/// light with its colour times 1 - w, `exact` the lights of w > 0 with share w. Lights of w = 1 and black ones are left
+/// out of `inRig`; lights marked in `culled` (empty: none) are left out of both. Order is kept. `inRig` and `exact` are
+/// cleared first, and allocate only while they grow.
+void splitLights(const LightSet& lights, std::span<const float> weights, LightSet& inRig, std::vector<NearLight>& exact,
                  std::span<const std::uint8_t> culled = {});
 
 }  // namespace rigel

@@ -66,13 +66,13 @@ struct LightingOptions {
 /// Why a light is where it is.
 enum class LightRole : std::uint8_t {
   culled,   // gives the object nothing: out of range, outside its cone, black
-  far,      // in the rig
+  inRig,    // left to the rig
   blended,  // part in the rig, part exact
-  near,     // exact
+  exact,    // evaluated at every point
 };
 
 struct LightVerdict {
-  LightRole role = LightRole::far;
+  LightRole role = LightRole::inRig;
   float weight = 0;  // evaluated exactly
   float bound = 0;   // of the error of leaving it in the rig [W/m2], RMS over channels
   float share = 0;   // of the object's mean irradiance (estimated at the rig's samples); all lights sum to 1
@@ -97,10 +97,10 @@ template <int B>
 struct MaterialWrap {
   std::array<float, B> bands;  // f_l
   std::array<float, kMaxBands> allBands;
-  NearWrap near;
+  NearWrap nearLights;
 
   explicit MaterialWrap(float wrap = 0) noexcept
-      : bands(wrapCoefficients<B>(wrap)), allBands(wrapCoefficients<kMaxBands>(wrap)), near(nearWrap(wrap)) {}
+      : bands(wrapCoefficients<B>(wrap)), allBands(wrapCoefficients<kMaxBands>(wrap)), nearLights(nearWrap(wrap)) {}
 };
 
 template <int B>
@@ -150,7 +150,7 @@ class ObjectLighting {
 
   /// Rig and near lights at a world point with unit normal; the rig's part is not clamped.
   struct Parts {
-    Rgb rig, near;
+    Rgb rig, nearLights;
   };
   Parts shade(Vec3 p, Vec3 n, const MaterialWrap<B>& wrap) const noexcept;
 

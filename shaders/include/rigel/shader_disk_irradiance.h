@@ -190,16 +190,16 @@ RIGEL_GENERIC RIGEL_FUNCTION Real rigel_diskLambert(RIGEL_IN(RIGEL_OF(DiskCone))
        y2 * (Real(0.199856222f) + y2 * (Real(0.145623311f) + y2 * (Real(0.0884157792f) + y2 * Real(0.170340702f)))));
   yRest = rigel_select(start > zero, (start + y + y * yRest) * (logs * sum * (q + p)) - perG, yRest * perG);
 
-  Real small = k * (perSide * ((crossing * perAngle + nz2) * (one - sideRest) +
-                               ny2 * (Real(2.0f) * tSin * tSin * perG - sideRest) -
-                               slope * (sideRatio + angleRatio) * (turned * perAngle * perAngle)) -
-                    ny2 * yRest);
+  Real whenSmall = k * (perSide * ((crossing * perAngle + nz2) * (one - sideRest) +
+                                   ny2 * (Real(2.0f) * tSin * tSin * perG - sideRest) -
+                                   slope * (sideRatio + angleRatio) * (turned * perAngle * perAngle)) -
+                        ny2 * yRest);
 
   Real angle = rigel_diskAngle(angleY, angleX, angleRatio * (one - angleRest)) * perFlux;
   angle = rigel_select(max(turned, -along) < zero, -angle, angle);
   Real side = rigel_select(sideY < sideX, sidePerT * perSide * (one - sideRest),
                            perT * rigel_diskAngle(sideY, sideX, sideRatio * (one - sideRest)));
-  Real rest = rigel_select(large > zero, angle + slip * perFlux * side - k * ny2 * (perG + yRest), small);
+  Real rest = rigel_select(large > zero, angle + slip * perFlux * side - k * ny2 * (perG + yRest), whenSmall);
   Real clipped = Real(0.5 / kRigelPi) * (nz * arc + rest);
   return max(rigel_select(ez < a, clipped, nz), zero);
 }

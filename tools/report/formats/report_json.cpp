@@ -217,9 +217,9 @@ class Writer {
                    {"type", use.type},
                    {"bound", number(use.bound, "bound of light " + use.name)},
                    {"share", number(use.share, "share of light " + use.name)},
-                   {"near_frames", use.framesOf(LightRole::near)},
+                   {"near_frames", use.framesOf(LightRole::exact)},
                    {"blend_frames", use.framesOf(LightRole::blended)},
-                   {"far_frames", use.framesOf(LightRole::far)},
+                   {"far_frames", use.framesOf(LightRole::inRig)},
                    {"culled_frames", use.framesOf(LightRole::culled)},
                    {"why", use.why},
                    {"roles", runs(use.roles)}};

@@ -59,7 +59,7 @@ std::string whyFar(const LightReport& use, const LightLogContext& context) {
 
 std::string whyOf(const LightReport& use, const LightLogContext& context) {
   const auto frames = [&](LightRole role) { return framesWith(use, role, context.frames); };
-  const int near = use.framesOf(LightRole::near), blended = use.framesOf(LightRole::blended);
+  const int near = use.framesOf(LightRole::exact), blended = use.framesOf(LightRole::blended);
   const int culled = use.framesOf(LightRole::culled);
   if (culled == static_cast<int>(use.roles.size()))
     return "culled: it gives this object nothing in any frame (out of range, outside its cone, or black)";
@@ -67,8 +67,9 @@ std::string whyOf(const LightReport& use, const LightLogContext& context) {
   if (near + blended == 0) {
     why = whyFar(use, context);
   } else {
-    why = fmt::format("{} {}: in the rig it could be wrong by {} ({})", near > 0 ? "near" : "partly near",
-                      frames(near > 0 ? LightRole::near : LightRole::blended), ofMeanLight(use.bound), goalOf(context));
+    why =
+        fmt::format("{} {}: in the rig it could be wrong by {} ({})", near > 0 ? "near" : "partly near",
+                    frames(near > 0 ? LightRole::exact : LightRole::blended), ofMeanLight(use.bound), goalOf(context));
     if (near > 0 && blended > 0) why += "; partly " + frames(LightRole::blended);
   }
   if (culled > 0) why += "; gives nothing " + frames(LightRole::culled);
@@ -93,11 +94,11 @@ const char* roleName(LightRole role) {
   switch (role) {
     case LightRole::culled:
       return "culled";
-    case LightRole::far:
+    case LightRole::inRig:
       return "far";
     case LightRole::blended:
       return "blended";
-    case LightRole::near:
+    case LightRole::exact:
       break;
   }
   return "near";

@@ -210,7 +210,7 @@ class RunnerOf final : public RigRunner {
       return {{rows[first], points.size()}, {rows[first + 1], points.size()}, {rows[first + 2], points.size()}};
     };
     lighting_.shade(rowsFrom(0), rowsFrom(3), material, std::span(parts).first(points.size()));
-    for (std::size_t i = 0; i < points.size(); ++i) out[i] = {parts[i].rig, parts[i].near};
+    for (std::size_t i = 0; i < points.size(); ++i) out[i] = {parts[i].rig, parts[i].nearLights};
   }
 
   static constexpr std::size_t kRun = 256;

@@ -10,8 +10,8 @@ namespace rigel::tools {
 namespace {
 
 DiskUse useOf(const LightReport& light, const ObjectReport& object, const RigReport& rig, bool wraps) {
-  const int near = light.framesOf(LightRole::near) + light.framesOf(LightRole::blended);
-  const bool inRig = light.framesOf(LightRole::far) + light.framesOf(LightRole::blended) > 0;
+  const int near = light.framesOf(LightRole::exact) + light.framesOf(LightRole::blended);
+  const bool inRig = light.framesOf(LightRole::inRig) + light.framesOf(LightRole::blended) > 0;
   DiskUse use{light.name, object.name, rig.spec, "none", light.why};
   if (near == 0 && !inRig) return use;
   use.method = near == 0 ? "quadrature-6" : inRig ? "near, quadrature-6" : "near";
