@@ -11,12 +11,12 @@ namespace {
 
 using test::BatchPoints;
 
-LightSet everyKind() {
+LightSet everyKind(int ofEach = 19) {
   LightSet lights;
   lights.add(DirectionalLight{{0.3f, -1, 0.2f}, {1, 2, 3}});
   lights.add(DirectionalLight{{-0.3f, 1, 0.2f}, {3, 2, 1}});
-  for (int i = 0; i < 19; ++i) {
-    const float t = static_cast<float>(i);
+  for (int i = 0; i < ofEach; ++i) {
+    const float t = static_cast<float>(i % 19) + 0.01f * static_cast<float>(i / 19);
     // Some of them do not reach all points.
     lights.add(PointLight{{t - 9, 2, 1}, {3, 4, 5}, 0.01f, i % 3 == 0 ? 4.0f : kNoRange});
     lights.add(SpotLight{{1, 3, t - 9}, {0.2f, -1, 0.1f * t}, {5, 4, 3}, 0.2f, 0.6f});
@@ -29,10 +29,10 @@ LightSet everyKind() {
 }
 
 template <int B>
-void compare(std::size_t count, std::size_t period) {
+void compare(std::size_t count, std::size_t period, int ofEach = 19) {
   SCOPED_TRACE(std::to_string(B) + " bands, " + std::to_string(count) + " points, period " + std::to_string(period));
   PreparedLights lights;
-  lights.set(everyKind());
+  lights.set(everyKind(ofEach));
   std::vector<LightUse> uses(lights.all().begin(), lights.all().end());
   for (std::size_t u = 0; u < uses.size(); u += 5) uses[u].share = 0.5f;
   std::vector<std::vector<float>> numbers(uses.size());
@@ -78,6 +78,9 @@ TEST(PointShares, AreThoseOfEachPoint) {
     compare<2>(50, 10);
     compare<4>(50, 10);
     compare<5>(50, 10);
+    // More than are sorted at once.
+    compare<3>(192, 16, 90);
+    compare<4>(50, 10, 90);
   });
 }
 
