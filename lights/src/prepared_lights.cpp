@@ -78,7 +78,7 @@ void prepare(const SphereLight& light, PreparedLight& out) noexcept {
   out.position = light.position;
   out.radius = std::min(light.radius, std::numeric_limits<float>::max());
   const double r2 = static_cast<double>(out.radius) * out.radius;
-  out.arealess = !detail::hasRoom(r2) || !detail::hasRoom(r2 * peak);
+  out.arealess = !detail::hasRoom(r2, peak);
   out.colour = scaled(light.radiance, out.arealess ? kPi : kPi * r2);
   out.radiusSquare = static_cast<float>(r2);
   setNearest(out);

@@ -18,8 +18,11 @@ inline constexpr double kSmallSquare = 1.0 / 64;
 /// From this square of the distance on the kernels stay in float, up to where it overflows.
 inline constexpr double kMinPreparedSquare = 1e-30;
 
-/// Squares of radii, and they times colours, that float holds with room for what is made of them.
-inline bool hasRoom(double x) noexcept { return x > 1e-28 && x < 1e28; }
+/// Whether float holds what is made of a sphere's area and its radiance: down to slopes inside, of d / radius^4.
+inline bool hasRoom(double radiusSquare, double peak) noexcept {
+  const double flux = radiusSquare * peak;
+  return radiusSquare > 1e-20 && radiusSquare < 1e18 && flux > 1e-28 && flux < 1e28;
+}
 
 inline double peakOf(Rgb colour) noexcept {
   return std::max({std::abs(colour.r), std::abs(colour.g), std::abs(colour.b)});

@@ -120,6 +120,22 @@ TEST(ProjectBatchGradient, EveryKind3Bands) { compareKinds<3>(); }
 TEST(ProjectBatchGradient, EveryKind4Bands) { compareKinds<4>(); }
 TEST(ProjectBatchGradient, EveryKind5Bands) { compareKinds<5>(); }
 
+// Where float holds a sphere's area, where it does not, and between.
+TEST(ProjectBatchGradient, SpheresOfAnySize) {
+  onEveryTarget([] {
+    Random random(93);
+    Worst value("spheres of 1e-12 to 1e14 m"), slope("their slopes");
+    for (double decade = -12; decade <= 14; decade += 0.5)
+      for (const double share : {1e-6, 1e-3, 0.5, 1.5, 30.0, 1e4}) {
+        const auto radius = static_cast<float>(std::pow(10, decade));
+        const Vec3 p = random.direction() * (radius * static_cast<float>(share));
+        compare<3>(value, slope, SphereLight{{}, radius, random.colour()}, p, 3);
+      }
+    value.expectWithin(1.5e-6);
+    slope.expectWithin(3e-6);
+  });
+}
+
 // Many lights of all kinds at many points, values those of projectBatch to its errors.
 TEST(ProjectBatchGradient, ManyLightsAtManyPoints) {
   onEveryTarget([] {
